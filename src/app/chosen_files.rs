@@ -226,7 +226,11 @@ impl ChosenFiles {
                     .ask(exporting.engine, question, Box::new(write));
             }
             (Err(NoFigure::Refused(reason)), _) => {
-                push_card(&mut state.errors, "There is no such figure", reason);
+                let title = match kind {
+                    FigureKind::Patch => "No patch figure",
+                    FigureKind::View => "No figure",
+                };
+                push_card(&mut state.errors, title, reason);
             }
             (Err(NoFigure::NotYet), path) => {
                 if let Some(subject) = wanted.document.selected() {

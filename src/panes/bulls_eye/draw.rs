@@ -30,8 +30,8 @@ const FAINT: Color32 = Color32::from_rgb(0xc8, 0xcd, 0xd3);
 
 /// Lines inside a patch: the colours between them stay readable.
 const HATCH: Color32 = Color32::from_rgba_premultiplied(10, 11, 13, 150);
-/// From this radius on a patch has room for its number.
-const NUMBERED_RADIUS: f32 = 36.0;
+/// Radius of the plate below the number of a patch.
+const PLATE: f32 = 8.0;
 
 /// Draws the disc.
 pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>) {
@@ -94,15 +94,38 @@ fn patch_mark(ui: &Ui, view: &BullsEyeView, disc: &Disc, patch: &BullsEyePatch) 
         painter.extend(sides(&points, below));
         painter.extend(sides(&points, Stroke::new(width, colour)));
     }
-    if disc.radius < NUMBERED_RADIUS || by_segment {
-        return;
-    }
-    if let Some(middle) = patch.shape.middle {
-        let at = disc.at(middle);
-        painter.circle_filled(at, 8.0, BETWEEN);
+    if let Some(at) = number_place(view.patches, patch, disc).filter(|_| !by_segment) {
+        painter.circle_filled(at, PLATE, BETWEEN);
         let number = patch.number.as_str();
         painter.text(at, Align2::CENTER_CENTER, number, note_font(), colour);
     }
+}
+
+/// Where the number of a patch covers neither its outline nor most of it: in its middle, else beside it, nearer to it than
+/// to any other. The only patch needs no number.
+fn number_place(patches: &[BullsEyePatch], patch: &BullsEyePatch, disc: &Disc) -> Option<Pos2> {
+    let middle = disc.at(patch.shape.middle?);
+    let distance = |patch: &BullsEyePatch, at| disc.distance_to_borders(&patch.shape.borders, at);
+    if distance(patch, middle) > PLATE + 3.0 {
+        return Some(middle);
+    }
+    if patches.len() < 2 {
+        return None;
+    }
+    let mut around = (2..12).flat_map(|step| {
+        (0..16).map(move |turn| {
+            let angle = std::f32::consts::TAU * turn as f32 / 16.0;
+            middle + 0.75 * PLATE * step as f32 * egui::Vec2::angled(angle)
+        })
+    });
+    around.find(|&at| {
+        let own = distance(patch, at);
+        let free = |other: &BullsEyePatch| distance(other, at) > own.max(PLATE + 1.0);
+        let others = patches.iter().filter(|other| other.number != patch.number);
+        own > PLATE
+            && at.distance(disc.centre) < disc.radius + PLATE
+            && others.into_iter().all(free)
+    })
 }
 
 /// A closed line, side by side: drawn in one piece, its joints run far out where it turns back sharply, as long lines
@@ -237,6 +260,38 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
 mod tests {
     use super::*;
     use egui::epaint::{ClippedShape, Primitive};
+
+    #[test]
+    fn the_number_of_a_patch_never_covers_it() {
+        let square = |number: &str, [x, y]: [f64; 2], half: f64| {
+            let corner = |i: f64, j: f64| [x + half * i, y + half * j];
+            let border = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+            BullsEyePatch {
+                shape: crate::picture::PolarPatch {
+                    borders: vec![border.map(|(i, j)| corner(i, j)).to_vec()],
+                    middle: Some([x, y]),
+                    ..Default::default()
+                },
+                number: number.to_owned(),
+                ..BullsEyePatch::default()
+            }
+        };
+        let disc = |radius| Disc {
+            centre: pos2(80.0, 80.0),
+            radius,
+        };
+        let one = [square("1", [0.5, 0.2], 0.2)];
+        let large = number_place(&one, &one[0], &disc(120.0));
+        assert_eq!(large, Some(disc(120.0).at([0.5, 0.2])));
+        assert_eq!(number_place(&one, &one[0], &disc(38.0)), None);
+        let two = [one[0].clone(), square("2", [-0.3, 0.2], 0.2)];
+        let disc = disc(38.0);
+        for patch in &two {
+            let at = number_place(&two, patch, &disc).unwrap();
+            let own = disc.distance_to_borders(&patch.shape.borders, at);
+            assert!(own > PLATE && own < 2.0 * PLATE);
+        }
+    }
 
     #[test]
     fn an_outline_that_turns_back_sharply_sends_no_line_across_the_plot() {

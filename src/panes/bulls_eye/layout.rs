@@ -3,12 +3,13 @@
 use egui::{Pos2, Rect, vec2};
 
 use crate::analysis::segments::{Segment, ring, segment_on_plot};
+use crate::ui::marks::distance_to;
 use crate::ui::theme::space;
 
 /// Height of the colour bar with its numbers and title.
 const BAR_HEIGHT: f32 = 50.0;
-/// Room for the names above and below, and left and right.
-const NAMES: [f32; 2] = [16.0, 16.0];
+/// Room for a name on each side.
+const NAMES: f32 = 16.0;
 
 /// The plot on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,9 +23,11 @@ pub struct Disc {
 /// The plot and the colour bar in an area.
 pub fn places(area: Rect, named: bool) -> (Disc, Rect) {
     let (plot, bar) = area.split_top_bottom_at_y(area.bottom() - BAR_HEIGHT);
-    // Without names there is a note above that says so.
-    let names = if named { NAMES } else { [NAMES[0], 2.0] };
-    let inner = plot.shrink2(vec2(names[1], names[0]));
+    let mut inner = plot.shrink(if named { NAMES } else { 2.0 });
+    if !named {
+        // There is a note above that says so.
+        inner.min.y = plot.top() + NAMES;
+    }
     let disc = Disc {
         centre: inner.center(),
         radius: 0.5 * inner.width().min(inner.height()).max(0.0),
@@ -53,6 +56,17 @@ impl Disc {
         segment_on_plot([f64::from(offset.x), f64::from(-offset.y)])
     }
 
+    /// How far a place is from the nearest of these borders, closed lines of the unit disc.
+    pub fn distance_to_borders(&self, borders: &[Vec<[f64; 2]>], place: Pos2) -> f32 {
+        let sides = borders.iter().flat_map(|border| {
+            let next = border.iter().cycle().skip(1);
+            border.iter().zip(next)
+        });
+        sides
+            .map(|(a, b)| distance_to(self.at(*a), self.at(*b), place).0)
+            .fold(f32::INFINITY, f32::min)
+    }
+
     /// Middle of a segment on the plot.
     pub fn middle_of(&self, segment: Segment) -> Pos2 {
         let [inner, outer] = ring(segment.level());
@@ -78,5 +92,12 @@ mod tests {
         assert_eq!(disc.segment_at(area.left_top()), None);
         assert!(bar.top() >= disc.centre.y + disc.radius);
         assert!(area.contains_rect(bar));
+    }
+
+    #[test]
+    fn the_plot_takes_the_room_of_names_that_are_not_there() {
+        let area = Rect::from_min_size(pos2(10.0, 20.0), vec2(150.0, 150.0));
+        let [named, unnamed] = [true, false].map(|named| places(area, named).0.radius);
+        assert!(unnamed >= named + 6.0, "{named} {unnamed}");
     }
 }

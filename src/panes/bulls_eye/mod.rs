@@ -19,7 +19,6 @@ use crate::panes::work_state::WorkState;
 use crate::panes::work_ui::{WALL_WORK, work_pane_ui};
 use crate::picture::{BullsEyeQuantity, WallPart};
 use crate::ui::controls::{choices_ui, chooser_ui, empty_pane_ui};
-use crate::ui::marks::distance_to;
 use crate::ui::named_parts::{named_part, names_are_read};
 use crate::ui::theme::space;
 
@@ -155,15 +154,7 @@ fn name_segments(
 /// The patch whose border is at a place.
 fn patch_at(view: &BullsEyeView, disc: &layout::Disc, at: egui::Pos2) -> Option<usize> {
     const REACH: f32 = 5.0;
-    let distance = |patch: &BullsEyePatch| {
-        let sides = patch.shape.borders.iter().flat_map(|border| {
-            let next = border.iter().cycle().skip(1);
-            border.iter().zip(next)
-        });
-        sides
-            .map(|(a, b)| distance_to(disc.at(*a), disc.at(*b), at).0)
-            .fold(f32::INFINITY, f32::min)
-    };
+    let distance = |patch: &BullsEyePatch| disc.distance_to_borders(&patch.shape.borders, at);
     let near = view.patches.iter().map(distance).enumerate();
     near.filter(|(_, distance)| *distance <= REACH)
         .min_by(|a, b| a.1.total_cmp(&b.1))

@@ -1,14 +1,14 @@
 //! Positions of the columns of the cohort table, and their cells.
 
-use egui::{Align2, Ui, pos2};
+use egui::{Align2, Ui, pos2, vec2};
 
 use crate::document::{CohortColumn, TypedField};
 use crate::panes::cohort::rows::CohortVerdict;
 use crate::panes::verdict_marks::verdict_mark;
 use crate::report::NO_VALUE;
 use crate::ui::style::{note_font, text_font};
-use crate::ui::text::text_width;
-use crate::ui::theme::{colours, space};
+use crate::ui::text::{text_width, without_middle};
+use crate::ui::theme::{colours, line, space};
 
 /// Horizontal places of the columns.
 pub(super) struct Columns {
@@ -40,6 +40,8 @@ const GAP: f32 = space::MEDIUM + 2.0;
 const VERDICT_MARK: f32 = 14.0;
 /// Room that a subject's name has before a verdict has words or a share.
 const SUBJECT_WIDTH: f32 = 64.0;
+/// Longer names have this much room before them at most: their middle can be left out.
+const NAME_WIDTH: f32 = 150.0;
 /// Room of the heading over names, with the arrow of sorting.
 const HEADING_WIDTH: f32 = 54.0;
 /// Room that a label needs; with less its mark alone stands for it.
@@ -48,11 +50,13 @@ const LABEL_WIDTH: f32 = 46.0;
 const TYPING_WIDTH: f32 = 110.0;
 /// Room of "100" and of its heading.
 const EF_WIDTH: f32 = 38.0;
+/// Room of "100" alone.
+const EF_NUMBER_WIDTH: f32 = 28.0;
 
 impl VerdictRoom {
     fn width(self) -> f32 {
         match self {
-            Self::Words => VERDICT_MARK + 70.0,
+            Self::Words => VERDICT_MARK + 78.0,
             Self::Share => VERDICT_MARK + 36.0,
             Self::Mark => VERDICT_MARK,
         }
@@ -60,25 +64,27 @@ impl VerdictRoom {
 }
 
 impl Columns {
-    /// Subject, ejection fraction and verdict have room first. Labels have a column where room is left, and what names
-    /// of this width at most do not need; elsewhere, and in a study without labels, names take it.
+    /// Subject, ejection fraction and the mark of the verdict have room first: names tell patients apart, and the words of
+    /// a verdict yield where names of this width at most do not fit. Labels have a column where room is left; elsewhere,
+    /// and in a study without labels, names take it.
     pub(super) fn within(across: egui::Rangef, labelled: bool, names: f32) -> Self {
         let inner = across.shrink(space::LARGE);
         let from = inner.min + 22.0;
         let free_beside = |room: VerdictRoom| inner.max - room.width() - GAP - EF_WIDTH - from;
+        let subject = (names + space::MEDIUM).clamp(SUBJECT_WIDTH, NAME_WIDTH);
         let room = [VerdictRoom::Words, VerdictRoom::Share]
             .into_iter()
-            .find(|room| free_beside(*room) >= SUBJECT_WIDTH)
+            .find(|room| free_beside(*room) >= subject)
             .unwrap_or(VerdictRoom::Mark);
         let verdict = [inner.max - room.width(), inner.max];
         let to = verdict[0] - GAP;
         let free = free_beside(room).max(0.0);
-        let labelled = labelled && free >= SUBJECT_WIDTH + space::MEDIUM + LABEL_WIDTH;
+        let labelled = labelled && free >= subject + LABEL_WIDTH;
         Self {
             mark: inner.min + 6.0,
             subject: from,
             label: if labelled {
-                let most = (free * 0.56).max(SUBJECT_WIDTH + space::MEDIUM);
+                let most = (free * 0.56).max(subject);
                 from + most.min(names.max(HEADING_WIDTH) + space::MEDIUM)
             } else {
                 from + free
@@ -89,15 +95,24 @@ impl Columns {
         }
     }
 
-    /// Where a cell of a row is typed into: at least so wide that a label fits.
-    pub(super) fn typing_cell(&self, field: TypedField, row: egui::Rect) -> egui::Rect {
+    /// Where a cell of a row is typed into: a label beside the name of this width, which stays readable; a name in its
+    /// place, beside the ejection fraction.
+    pub(super) fn typing_cell(&self, field: TypedField, row: egui::Rect, name: f32) -> egui::Rect {
         let [left, right] = match field {
-            TypedField::Label => self.span(CohortColumn::Label),
-            TypedField::Name => self.span(CohortColumn::Subject),
+            TypedField::Label => {
+                let [left, right] = self.span(CohortColumn::Label);
+                let end = row.right() - space::SMALL;
+                // Where labels have no column, they take the room of the numbers.
+                let left = left.min(end - TYPING_WIDTH);
+                let left = left.max(self.subject + name + space::MEDIUM);
+                [left, right.max(left + TYPING_WIDTH).min(end)]
+            }
+            TypedField::Name => {
+                let [left, right] = self.span(CohortColumn::Subject);
+                let end = self.ejection_fraction - EF_NUMBER_WIDTH;
+                [left, right.max((left + TYPING_WIDTH).min(end))]
+            }
         };
-        // Where labels have no column, they begin where names end.
-        let left = left.min(self.verdict[0] - TYPING_WIDTH);
-        let right = right.max(left + TYPING_WIDTH);
         egui::Rect::from_x_y_ranges(left - space::SMALL..=right, row.y_range().shrink(1.0))
     }
 
@@ -152,13 +167,22 @@ pub(super) fn verdict_cell(
     write(left + VERDICT_MARK, text, colour);
 }
 
-/// In place of the verdict on a subject that is excluded from the cohort.
+/// In place of the verdict on a subject that is excluded from the cohort: a word, or a struck-out ring where it has no room.
 pub(super) fn excluded_cell(ui: &Ui, columns: &Columns, y: f32) {
     let muted = colours(ui).muted;
     let at = pos2(columns.verdict[0], y);
     let text = match columns.room {
-        VerdictRoom::Mark => "–",
-        VerdictRoom::Words | VerdictRoom::Share => "excluded",
+        VerdictRoom::Mark => {
+            let stroke = egui::Stroke::new(line::MARK, muted);
+            let (centre, radius) = (at + vec2(4.0, 0.0), 5.0);
+            let arm = radius * vec2(0.7, -0.7);
+            ui.painter().circle_stroke(centre, radius, stroke);
+            ui.painter()
+                .line_segment([centre - arm, centre + arm], stroke);
+            return;
+        }
+        VerdictRoom::Share => "excl.",
+        VerdictRoom::Words => "excluded",
     };
     ui.painter()
         .text(at, Align2::LEFT_CENTER, text, note_font(), muted);
@@ -210,54 +234,6 @@ pub(super) fn cell(
     place
 }
 
-/// First letters of a name that stay when its middle is left out, and how many last ones go before them.
-const HEAD: usize = 3;
-const TAIL: usize = 8;
-
-/// A name with as little left out of its middle as makes it fit.
-fn without_middle(name: &str, fits: impl Fn(&str) -> bool) -> String {
-    let letters: Vec<char> = name.chars().collect();
-    if letters.len() <= HEAD + 2 || fits(name) {
-        return name.to_owned();
-    }
-    let part = |letters: &[char]| letters.iter().collect::<String>();
-    let fitting = |head: usize| {
-        let shown = |from: usize| format!("{}…{}", part(&letters[..head]), part(&letters[from..]));
-        let mut from = head + 1..letters.len() - 1;
-        let found = from.find(|&from| fits(&shown(from)));
-        let from = found.unwrap_or(letters.len() - 1);
-        (letters.len() - from, shown(from))
-    };
-    let (tail, shown) = fitting(HEAD);
-    let number = significant_number(&letters);
-    let holds_number = |tail: usize| number.is_none_or(|start| letters.len() - tail <= start);
-    if tail >= TAIL && holds_number(tail) {
-        return shown;
-    }
-    // Names of one study begin alike: its letters say less than the last ones, and those less than a number.
-    let (tail, shown) = fitting(1);
-    if holds_number(tail) {
-        return shown;
-    }
-    let from_number = number.and_then(|start| {
-        let mut ends = (start + 1..letters.len()).rev();
-        ends.find_map(|end| {
-            let shown = format!("…{}…", part(&letters[start..end]));
-            fits(&shown).then_some(shown)
-        })
-    });
-    from_number.unwrap_or(shown)
-}
-
-/// Where the last number of a name begins, without the zeros in front of it.
-fn significant_number(letters: &[char]) -> Option<usize> {
-    let last = letters.iter().rposition(char::is_ascii_digit)?;
-    let before = letters[..last].iter().rposition(|c| !c.is_ascii_digit());
-    let start = before.map_or(0, |before| before + 1);
-    let zeros = letters[start..last].iter().take_while(|c| **c == '0');
-    Some(start + zeros.count())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -286,18 +262,45 @@ mod tests {
     }
 
     #[test]
-    fn a_name_keeps_its_beginning_and_its_end() {
-        let fits = |max: usize| move |shown: &str| shown.chars().count() <= max;
-        assert_eq!(without_middle("patient015", fits(10)), "patient015");
-        assert_eq!(without_middle("patient015", fits(8)), "p…ent015");
-        assert_eq!(without_middle("patient015", fits(2)), "p…5");
-        let long = "Patient000151_stress";
-        assert_eq!(without_middle(long, fits(14)), "Pat…151_stress");
-        assert_eq!(without_middle(long, fits(13)), "P…0151_stress");
-        assert_eq!(without_middle(long, fits(10)), "…151_stre…");
-        assert_eq!(without_middle(long, fits(6)), "…151_…");
-        assert_eq!(without_middle("Patient_of_no_number", fits(9)), "P…_number");
-        assert_eq!(without_middle("P03", fits(1)), "P03");
-        assert_eq!(without_middle("", fits(0)), "");
+    fn the_words_of_verdicts_yield_to_names_that_do_not_fit() {
+        let pane = egui::Rangef::new(7.0, 261.0);
+        let name_width = |columns: &Columns| {
+            let [left, right] = columns.span(CohortColumn::Subject);
+            right - left
+        };
+        for (names, words) in [(24.0, true), (58.0, true), (138.0, false)] {
+            for labelled in [true, false] {
+                let columns = Columns::within(pane, labelled, names);
+                assert_eq!(columns.room == VerdictRoom::Words, words, "{names}");
+                assert!(name_width(&columns) >= names, "{names}");
+            }
+        }
+        // The end of "not assessed" keeps clear of the dots that open the menu of a row.
+        let columns = Columns::within(pane, false, 24.0);
+        assert!(columns.verdict[1] - columns.verdict[0] - VERDICT_MARK >= 76.0);
+    }
+
+    #[test]
+    fn who_types_sees_whose_row_it_is_and_the_ejection_fraction() {
+        let row = egui::Rect::from_x_y_ranges(7.0..=196.0, 0.0..=24.0);
+        for width in [189.0, 254.0, 300.0, 420.0] {
+            let pane = egui::Rangef::new(7.0, 7.0 + width);
+            let row = egui::Rect::from_x_y_ranges(pane, row.y_range());
+            for names in [24.0, 60.0] {
+                let columns = Columns::within(pane, true, names);
+                let cell = columns.typing_cell(TypedField::Label, row, names);
+                assert!(cell.left() >= columns.subject + names, "{width}: {cell}");
+                assert!(
+                    cell.width() > 60.0 && row.contains_rect(cell),
+                    "{width}: {cell}"
+                );
+                let cell = columns.typing_cell(TypedField::Name, row, names);
+                let number = columns.ejection_fraction - 24.0;
+                assert!(
+                    cell.right() <= number && cell.width() > 60.0,
+                    "{width}: {cell}"
+                );
+            }
+        }
     }
 }

@@ -224,7 +224,7 @@ fn row_ui(
     let button = typing.is_none() && menu_button_ui(ui, rect, &response, &row.id);
     row_menu_ui(ui, &response, button, (index, view), commands);
     if let Some((typing, study)) = typing.zip(view.edits.study) {
-        let cell = columns.typing_cell(typing.field, rect);
+        let cell = columns.typing_cell(typing.field, rect, name.width());
         typing_ui(ui, cell, study, typing, commands);
     } else {
         response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
@@ -246,7 +246,8 @@ fn menu_button_ui(ui: &mut Ui, row: Rect, response: &Response, subject: &str) ->
         false => colours.muted,
     };
     for step in [-1.0, 0.0, 1.0] {
-        let at = rect.center() + vec2(0.0, 4.0 * step);
+        // Clear of the words of the verdict.
+        let at = rect.center() + vec2(2.0, 4.0 * step);
         ui.painter().circle_filled(at, 1.2, colour);
     }
     button.on_hover_text(name).clicked()

@@ -89,7 +89,7 @@ fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
             );
         }
     }
-    let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true, 200.0).room;
+    let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true, 24.0).room;
     assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Words);
     assert!(room(236.0) == VerdictRoom::Share && room(190.0) == VerdictRoom::Mark);
     // Labels take what short names leave.

@@ -61,6 +61,7 @@ pub(super) fn typing_ui(
     let edit = TextEdit::singleline(&mut typed.text)
         .id(field)
         .font(text_font())
+        .align(egui::Align2::LEFT_CENTER)
         .margin(vec2(space::SMALL, 1.0));
     let response = ui.put(rect, edit).accessible_name(name(study, typing));
     if begins {

@@ -31,12 +31,22 @@ pub struct MeasuresView<'a> {
     pub current_frame: usize,
 }
 
+/// From this height on each name stands above its value.
+const ROOMY_HEIGHT: f32 = 245.0;
+
 /// Draws the card.
 pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     if view.subject.is_none() {
         return no_subject_ui(ui, "Select a subject to see its measures");
     }
     let frame = egui::Frame::new().inner_margin(egui::Margin::same(space::LARGE as i8));
+    let low = ui.available_height() < ROOMY_HEIGHT;
+    // What does not fit is told by the bar of scrolling, before anybody points at it.
+    let scroll = &mut ui.spacing_mut().scroll;
+    (
+        scroll.dormant_handle_opacity,
+        scroll.dormant_background_opacity,
+    ) = (0.6, 0.3);
     egui::ScrollArea::vertical()
         .id_salt("measures")
         .show(ui, |ui| {
@@ -52,18 +62,23 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
                 let both = format!("{edv} · {esv}");
                 let width =
                     text_width(ui, &both, medium_font()) + text_width(ui, unit, text_font());
-                if width + space::SMALL <= ui.available_width() {
-                    value_ui(ui, &heading, &both, unit, &[EDV_RANGE, ESV_RANGE]);
+                let fit = width + space::SMALL <= ui.available_width();
+                let mut value_ui =
+                    |names: &[&str], value: &str, unit: &str, ranges: &[ReferenceRange]| {
+                        value_ui(ui, names, [value, unit], ranges, low);
+                    };
+                if fit {
+                    value_ui(&[&heading], &both, unit, &[EDV_RANGE, ESV_RANGE]);
                 } else {
-                    value_ui(ui, SubjectRow::EDV.heading, &edv, unit, &[EDV_RANGE]);
-                    value_ui(ui, SubjectRow::ESV.heading, &esv, unit, &[ESV_RANGE]);
+                    value_ui(&[SubjectRow::EDV.heading], &edv, unit, &[EDV_RANGE]);
+                    value_ui(&[SubjectRow::ESV.heading], &esv, unit, &[ESV_RANGE]);
                 }
-                value_ui(ui, SubjectRow::SV.heading, &sv, unit, &[SV_RANGE]);
+                value_ui(&[SubjectRow::SV.heading, "SV"], &sv, unit, &[SV_RANGE]);
                 // A mass needs a volume in ml.
                 if row.unit == LengthUnit::Millimetre {
-                    let (column, mass) = (&SubjectRow::MASS_G, SubjectRow::MASS_G.shown(row));
-                    let unit = column.unit.symbol(row.unit);
-                    value_ui(ui, column.heading, &mass, unit, &[MASS_RANGE]);
+                    let mass = SubjectRow::MASS_G;
+                    let unit = mass.unit.symbol(row.unit);
+                    value_ui(&[mass.heading], &mass.shown(row), unit, &[MASS_RANGE]);
                 }
                 ui.add_space(space::SMALL);
                 phases_ui(ui, view, commands);
@@ -159,12 +174,28 @@ fn shown_number(text: &str) -> Option<f64> {
     text.replace('−', "-").parse().ok()
 }
 
-/// A volume or a mass, with its normal range under the pointer.
-fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, ranges: &[ReferenceRange]) {
-    ui.add(egui::Label::new(note(name)).truncate());
+/// A volume or a mass, with its normal range under the pointer, below the first of its names; in a `low` pane beside the
+/// first one that leaves room.
+fn value_ui(
+    ui: &mut Ui,
+    names: &[&str],
+    [value, unit]: [&str; 2],
+    ranges: &[ReferenceRange],
+    low: bool,
+) {
+    let width = text_width(ui, value, medium_font()) + text_width(ui, unit, text_font());
+    let free = ui.available_width() - width - 2.0 * space::SMALL;
+    let mut beside = names.iter().filter(|_| low);
+    let beside = beside.find(|name| text_width(ui, name, note_font()) <= free);
+    if let (None, Some(name)) = (beside, names.first()) {
+        ui.add(egui::Label::new(note(*name)).truncate());
+    }
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
         ui.spacing_mut().interact_size.y = 16.0;
+        if let Some(name) = beside {
+            ui.label(note(*name));
+        }
         ui.label(medium(value));
         if value != NO_VALUE {
             ui.label(RichText::new(unit).weak());
@@ -177,16 +208,11 @@ fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, ranges: &[Referenc
 
 fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     let row = &view.measures;
-    let source = if row.phases_stated {
-        " · set by the user or the study"
-    } else {
-        ""
-    };
     let frames = [SubjectRow::END_DIASTOLE, SubjectRow::END_SYSTOLE];
     let frames = frames
         .each_ref()
         .map(|column| format!("{} {}", column.heading, column.shown(row)));
-    let shown = frames.join(" · ") + source;
+    let shown = frames.join(" · ");
     chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
         let here = view.current_frame;
         let phases = [Phase::EndDiastole, Phase::EndSystole];
@@ -202,6 +228,9 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
             command_button_ui(ui, name, found, commands);
         }
     });
+    if row.phases_stated {
+        ui.add(egui::Label::new(note("set by the user or the study")).wrap());
+    }
 }
 
 #[cfg(test)]
@@ -244,21 +273,24 @@ mod tests {
         assert!(ranges_in_words(&[SV_RANGE], "units³").starts_with("No normal range"));
     }
 
-    #[test]
-    fn the_current_frame_can_be_stated_as_end_systole() {
-        let mut harness = Harness::builder()
+    fn card(size: [f32; 2], stated: bool) -> Harness<'static, Vec<Command>> {
+        Harness::builder()
+            .with_size(size)
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
             .build_ui_state(
-                |ui, commands: &mut Vec<Command>| {
+                move |ui, commands: &mut Vec<Command>| {
                     let view = MeasuresView {
                         subject: Some("P-041"),
                         measures: SubjectRow {
                             ef: Some(0.363),
                             edv: Some(104.0),
                             esv: Some(66.2),
+                            sv: Some(37.8),
+                            mass_g: Some(83.0),
                             unit: LengthUnit::Millimetre,
                             end_diastole: Some(0),
                             end_systole: Some(3),
+                            phases_stated: stated,
                             ..SubjectRow::default()
                         },
                         current_frame: 4,
@@ -267,7 +299,36 @@ mod tests {
                     measures_card_ui(ui, &view, commands);
                 },
                 Vec::new(),
-            );
+            )
+    }
+
+    #[test]
+    fn a_low_pane_shows_every_measure_whole() {
+        let mut harness = card([126.0, 200.0], false);
+        harness.run();
+        let value = harness.get_by_label("37.8").rect();
+        assert!(harness.get_by_label("SV").rect().center().y - value.center().y < 4.0);
+        let mass = harness.get_by_label("83").rect();
+        assert!(mass.bottom() < 176.0, "{mass}");
+        // In a higher one names stand above.
+        let mut harness = card([170.0, 320.0], false);
+        harness.run();
+        let name = harness.get_by_label("Stroke volume").rect();
+        assert!(name.bottom() <= harness.get_by_label("37.8").rect().top() + 2.0);
+    }
+
+    #[test]
+    fn where_the_phases_come_from_is_not_cut() {
+        let mut harness = card([170.0, 320.0], true);
+        harness.run();
+        harness.get_by_label_contains("ED 0 · ES 3");
+        let source = harness.get_by_label("set by the user or the study").rect();
+        assert!(source.right() < 170.0 && source.height() > 20.0, "{source}");
+    }
+
+    #[test]
+    fn the_current_frame_can_be_stated_as_end_systole() {
+        let mut harness = card([400.0, 400.0], false);
         harness.run();
         harness.get_by_label_contains("36");
         harness.get_by_label("104 · 66");

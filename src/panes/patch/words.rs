@@ -1,6 +1,6 @@
 //! What the window says of patches beside their numbers: the note over the picture, and why a part is not called abnormal.
 
-use crate::analysis::thickening::Thickening;
+use crate::analysis::thickening::{Extent, Thickening};
 use crate::analysis::verdicts::Finding;
 use crate::document::state::State;
 use crate::panes::viewport::overlay::PatchNote;
@@ -32,14 +32,33 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
     format!(". {why}")
 }
 
+/// "patch 31 %", "2 patches 40 %", where a heading has no room; the heading itself where there is no patch.
+fn short_heading(heading: &str, standing: PatchStanding, shares: &[f64]) -> String {
+    let share = percent(shares.iter().sum());
+    match (standing, shares.len()) {
+        (_, 0) => heading.to_owned(),
+        (PatchStanding::LowThickening, _) => format!("low thickening {share}"),
+        (_, 1) => format!("patch {share}"),
+        (_, count) => format!("{count} patches {share}"),
+    }
+}
+
 /// What the picture of a subject says of its patches; `None` where they are hidden or nothing is known yet.
 pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
     let document = &state.document;
     if !document.visibility.patches {
         return None;
     }
-    let (Ok(found), _) = state.wall_of(subject)? else {
-        return None;
+    let found = match state.wall_of(subject)? {
+        (Ok(found), _) => found,
+        (Err(_), _) => {
+            // Beside a subject without a patch, silence would mean the same.
+            return Some(PatchNote {
+                heading: "Patches not assessed".to_owned(),
+                short: "not assessed".to_owned(),
+                ..PatchNote::default()
+            });
+        }
     };
     let thickening = &found.thickening;
     let chosen = (document.selected_patch()).filter(|_| subject == document.subject);
@@ -87,9 +106,33 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
             });
         }
     }
+    let shares: Vec<f64> = match (one, thickening.extent) {
+        (_, Extent::HardlyAnywhere) => Vec::new(),
+        (Some((_, patch)), _) => vec![patch.share],
+        (None, _) => (thickening.patches.iter())
+            .map(|patch| patch.share)
+            .collect(),
+    };
     Some(PatchNote {
+        short: short_heading(&heading, standing, &shares),
         heading,
         lines,
         found: !thickening.patches.is_empty() && standing != PatchStanding::LowThickening,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_heading_without_room_still_tells_patches_from_none() {
+        let short = |standing, shares: &[f64]| short_heading("No patch", standing, shares);
+        assert_eq!(short(PatchStanding::Abnormal, &[0.09]), "patch 9 %");
+        let several = short(PatchStanding::NoVerdict, &[0.09, 0.12]);
+        assert_eq!(several, "2 patches 21 %");
+        let low = short(PatchStanding::LowThickening, &[0.08]);
+        assert_eq!(low, "low thickening 8 %");
+        assert_eq!(short(PatchStanding::LowThickening, &[]), "No patch");
+    }
 }

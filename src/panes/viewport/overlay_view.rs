@@ -9,7 +9,7 @@ use crate::document::differences::hindrance;
 use crate::document::document::{TransportedMotion, nearest_frame};
 use crate::document::interpolated_poses::between_words;
 use crate::document::state::State;
-use crate::document::transported::{TransportState, transported_title};
+use crate::document::transported::TransportState;
 use crate::engine::EstimatedPose;
 use crate::panes::cohort::view::label_marks;
 use crate::panes::commands::TransportCommand;
@@ -39,22 +39,32 @@ pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
         return beside_its_origin(state, tile, from, subject);
     }
     let count = subject.sequence.frame_count();
+    let badge = missing_colours(state, tile).map(Cow::Borrowed);
     let caption = SubjectCaption {
         title: subject.id.clone(),
         mark: mark_of(state, tile.subject),
-        badge: missing_colours(state, tile).map(Cow::Borrowed),
-        patch: patch_note(state, tile.subject),
+        patch: patch_note(state, tile.subject).filter(|note| note.found || badge.is_none()),
+        badge,
         ..SubjectCaption::default()
     };
+    let excluded = document.study().is_excluded(tile.subject);
+    let excluded = excluded.then(|| "excluded".to_owned()).into_iter();
     if document.view_mode == ViewMode::AllFrames {
         let label = subject.label.as_deref().unwrap_or("no label");
+        let words = [label.to_owned(), format!("all {count} frames")];
+        let mut patch = caption.patch;
+        if let Some(patch) = &mut patch {
+            // More would come over the first row of the grid.
+            patch.lines.truncate(1);
+        }
         return SubjectCaption {
-            subtitle: format!("{label} · all {count} frames"),
+            subtitle: excluded.chain(words).collect::<Vec<_>>().join(" · "),
+            patch,
             ..caption
         };
     }
     let between = between_words_of(state, tile.subject, tile.position);
-    let words = subject.label.clone().into_iter();
+    let words = excluded.chain(subject.label.clone());
     let moment = moment_words(state, tile.subject, tile.position, count);
     SubjectCaption {
         subtitle: words.chain(moment).collect::<Vec<_>>().join(" · "),
@@ -86,11 +96,13 @@ fn beside_its_origin(
 ) -> SubjectCaption {
     let own = ("Show own motion", TransportCommand::StopTransport.into());
     let (title, words, between, leave);
+    let mut title_end = String::new();
     if tile.transported {
         let count = from.sequence.frame_count();
         let moment = moment_words(state, state.document.subject, tile.position, count);
         let why = "A transported motion is interpolated linearly";
-        title = transported_title(from, onto);
+        title = format!("Motion of {}", from.id);
+        title_end = format!(" on {}", onto.id);
         words = std::iter::once("transported motion".to_owned())
             .chain(moment)
             .collect();
@@ -116,6 +128,7 @@ fn beside_its_origin(
     let words: Vec<String> = words;
     SubjectCaption {
         title,
+        title_end,
         subtitle: words.join(" · "),
         mark: mark_of(state, tile.subject),
         badge: between.badge.map(Cow::Borrowed),
@@ -181,7 +194,24 @@ pub fn overlay_view<'a>(
             unit: prepared.unit.length_symbol(),
         }),
         cube: last.then(|| cube(&prepared.axes, camera)),
+        subject: points_of(prepared, camera, height),
     }
+}
+
+/// Where some points of each surface are at some times, from the middle of a picture of this height.
+fn points_of(prepared: &PreparedSubject, camera: &Camera, height: f32) -> Vec<egui::Vec2> {
+    const TIMES: usize = 4;
+    const POINTS: usize = 300;
+    let size = glam::Vec2::splat(height);
+    let places = (prepared.surfaces.iter()).flat_map(|surface| {
+        let times = &surface.geometry.positions;
+        let times = times.iter().step_by(times.len().div_ceil(TIMES).max(1));
+        times.flat_map(|points| points.iter().step_by(points.len().div_ceil(POINTS).max(1)))
+    });
+    let seen = places.filter_map(|point| camera.project(glam::Vec3::from_array(*point), size));
+    seen.map(|seen| seen.pixel - 0.5 * size)
+        .map(|offset| egui::vec2(offset.x, offset.y))
+        .collect()
 }
 
 /// Why colours that were chosen are not there; said once, at the selected subject.

@@ -25,10 +25,22 @@ pub fn places(mode: ViewMode, area: Rect, count: usize) -> Vec<Rect> {
             let mut inner = area;
             inner.min.y += above;
             inner.max.y -= below;
-            grid(inner, columns(inner, count), count)
+            let mut cells = grid(inner, columns(inner, count), count);
+            for cell in &mut cells {
+                cell.min.y += label_strip(cell.height());
+            }
+            cells
         }
         _ => grid(area, count, count),
     }
+}
+
+/// Height of the strip above a subject of a grid where its frame stands.
+const LABEL_STRIP: f32 = 17.0;
+
+/// The same in a cell of this height: there is always more room for the subject.
+fn label_strip(cell_height: f32) -> f32 {
+    LABEL_STRIP.min(0.4 * cell_height)
 }
 
 /// The number of columns whose cells come nearest to the best aspect.
@@ -64,7 +76,7 @@ fn grid(area: Rect, columns: usize, count: usize) -> Vec<Rect> {
         .collect()
 }
 
-/// The number of a frame over its subject in the grid of all phases; the one that the time bar
+/// The number of a frame above its subject in the grid of all phases; the one that the time bar
 /// stands on is marked.
 pub fn frame_label(ui: &Ui, state: &State, tile: &Tile) {
     let frame = tile.shown.position as usize;
@@ -80,12 +92,14 @@ pub fn frame_label(ui: &Ui, state: &State, tile: &Tile) {
     } else {
         colours.muted
     };
-    let at = tile.rect.left_top() + vec2(10.0, 4.0);
+    let mut cell = tile.rect;
+    cell.min.y -= LABEL_STRIP;
+    let at = cell.left_top() + vec2(10.0, 2.0);
     let font = egui::FontId::proportional(type_size::NOTE);
     ui.painter()
         .text(at, egui::Align2::LEFT_TOP, text, font, colour);
     if here {
-        let rect = tile.rect.shrink(2.0);
+        let rect = cell.shrink(1.0);
         let stroke = Stroke::new(line::THIN, colours.selection);
         let radius = f32::from(radius::CONTROL);
         ui.painter()
@@ -117,6 +131,9 @@ mod tests {
             assert!(area().expand(0.01).contains_rect(*a));
             for b in &rects[i + 1..] {
                 assert!(!a.shrink(0.01).intersects(b.shrink(0.01)));
+                // Nor does the strip with the number of a frame lie over another subject.
+                let strip = Rect::from_min_max(b.min - vec2(0.0, LABEL_STRIP), b.right_top());
+                assert!(!a.shrink(0.01).intersects(strip.shrink(0.01)));
             }
         }
     }

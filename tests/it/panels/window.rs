@@ -112,6 +112,7 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
             anterior: glam::Vec3::Z,
             known: true,
         }),
+        ..ViewportOverlayView::default()
     };
     let mut over = ui.new_child(UiBuilder::new().max_rect(picture));
     viewport_overlay_ui(&mut over, &caption, &view, commands);

@@ -46,26 +46,27 @@ const CAP: f32 = 8.0;
 /// Height of a bar with its numbers and its title.
 pub const BAR_HEIGHT: f32 = 54.0;
 
-/// Draws the bar in the lower left corner and returns where it ends.
+/// Draws the bar in the lower left corner, with a title that ends at `end`, and returns where both end.
 pub fn colour_bar_ui(
     ui: &mut Ui,
     inner: Rect,
+    end: f32,
     view: &ColourBarView,
     commands: &mut Vec<Command>,
 ) -> f32 {
     let bar = plain_bar_ui(ui, inner, view);
     limits_ui(ui, bar, view, commands);
-    title_ui(ui, inner, bar, view)
+    title_ui(ui, inner, bar, end, view)
 }
 
 /// Draws a bar with fixed limits.
-pub fn fixed_colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView) {
+pub fn fixed_colour_bar_ui(ui: &mut Ui, inner: Rect, end: f32, view: &ColourBarView) {
     let bar = plain_bar_ui(ui, inner, view);
     for (index, x) in [(0, bar.left()), (1, bar.right())] {
         let at = pos2(x, bar.bottom() + 4.0);
         note_at(ui, at, Align2::CENTER_TOP, tick_text(view.limits[index]));
     }
-    title_ui(ui, inner, bar, view);
+    title_ui(ui, inner, bar, end, view);
 }
 
 fn plain_bar_ui(ui: &Ui, inner: Rect, view: &ColourBarView) -> Rect {
@@ -80,16 +81,27 @@ fn plain_bar_ui(ui: &Ui, inner: Rect, view: &ColourBarView) -> Rect {
     bar
 }
 
-/// Title, unit and where the limits come from, below the bar; returns where they end.
-fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
-    let width = bar.width() + 2.0 * CAP;
-    let text_width = (inner.width() * 0.46).clamp(width, 380.0);
-    let fits = |text: &str| crate::ui::text::text_width(ui, text, note_font()) <= text_width;
-    let (whole, text) = title_with_unit(view.title, view.unit, fits);
-    let below = Rect::from_min_size(
-        pos2(inner.left(), bar.bottom() + 18.0),
-        vec2(text_width, 18.0),
-    );
+/// Title, unit and where the limits come from, below the bar, up to `end`; returns where they end.
+fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, end: f32, view: &ColourBarView) -> f32 {
+    let width = |text: &str| crate::ui::text::text_width(ui, text, note_font());
+    let bar_width = bar.width() + 2.0 * CAP;
+    let room = (end - inner.left()).max(bar_width);
+    let source = match (view.typed, view.note) {
+        (true, _) => "· limits set by the user".to_owned(),
+        (false, "") => String::new(),
+        (false, note) => format!("· {note}"),
+    };
+    let source_width = match source.is_empty() {
+        true => 0.0,
+        false => space::SMALL + width(&source),
+    };
+    // That limits were set by hand is said whatever the title loses; that they are the usual ones, where there is room.
+    let for_title = room - if view.typed { source_width } else { 0.0 };
+    let (whole, text) = title_with_unit(view.title, view.unit, |text| width(text) <= for_title);
+    let title_width = width(&text);
+    let said = view.typed || title_width + source_width <= room;
+    let used = title_width + if said { source_width } else { 0.0 };
+    let below = Rect::from_min_size(pos2(inner.left(), bar.bottom() + 18.0), vec2(room, 18.0));
     let mut line_ui = ui.new_child(UiBuilder::new().max_rect(below));
     line_ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
@@ -101,16 +113,12 @@ fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
         }
         if view.typed {
             let accent = colours(ui).selection;
-            ui.label(
-                RichText::new("· limits set by the user")
-                    .small()
-                    .color(accent),
-            );
-        } else if !view.note.is_empty() && text_width > 200.0 {
-            ui.add(egui::Label::new(note(format!("· {}", view.note))).truncate());
+            ui.add(egui::Label::new(RichText::new(source).small().color(accent)).truncate());
+        } else if said {
+            ui.add(egui::Label::new(note(source)).truncate());
         }
     });
-    inner.left() + text_width + space::LARGE
+    inner.left() + used.clamp(bar_width, room) + space::LARGE
 }
 
 /// Name and unit of a quantity, whole and as they are shown. A number without its unit says nothing: where not all fits,

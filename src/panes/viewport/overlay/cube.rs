@@ -25,6 +25,8 @@ pub struct CubeView {
 
 /// Half the side of the cube in points.
 const HALF: f32 = 21.0;
+/// Side of the place that it turns in.
+pub const SIDE: f32 = 4.0 * HALF * 0.92;
 
 /// One face on screen.
 struct Face {
@@ -36,10 +38,9 @@ struct Face {
     towards_viewer: f32,
 }
 
-/// Draws the cube in the lower right corner and returns where it begins.
-pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Command>) -> f32 {
-    let side = 4.0 * HALF * 0.92;
-    let rect = Rect::from_min_max(inner.max - Vec2::splat(side), inner.max);
+/// Draws the cube in the lower right corner.
+pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Command>) {
+    let rect = Rect::from_min_max(inner.max - Vec2::splat(SIDE), inner.max);
     let faces = visible_faces(view, rect.center());
     let response = ui.interact(rect, ui.scope_id().with("orientation cube"), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Orientation cube"));
@@ -72,7 +73,6 @@ pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Com
         _ => "Orientation of the heart; anatomical directions unknown".to_owned(),
     };
     response.on_hover_text(hint);
-    rect.left()
 }
 
 /// The faces turned towards the viewer, at most three.

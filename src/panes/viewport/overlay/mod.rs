@@ -1,44 +1,23 @@
 //! Over the 3D view: subject, colour bar, patches, scale and orientation.
 
+mod caption;
 mod colour_bar;
 mod cube;
+mod free_place;
 mod patch_note;
 mod scale_bar;
+mod title;
 
+pub use caption::SubjectCaption;
 pub use colour_bar::ColourBarView;
 pub use cube::CubeView;
 pub use patch_note::PatchNote;
 pub use scale_bar::ScaleBarView;
 
-use std::borrow::Cow;
+use egui::{Pos2, Ui, Vec2, vec2};
 
-use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
-
-use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::Command;
-use crate::ui::label_marks::{LabelMark, label_mark};
-use crate::ui::style::{note, note_font, title_font};
-use crate::ui::text::text_width;
-use crate::ui::theme::{colours, space};
-
-/// What is said over the 3D picture of a subject.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SubjectCaption {
-    /// Pseudonym; empty when nothing is shown.
-    pub title: String,
-    /// "MINF · frame 1 of 2 · ES".
-    pub subtitle: String,
-    /// Shape beside the title.
-    pub mark: LabelMark,
-    /// Whether the picture is between two poses, or estimated, and how: `interpolated`.
-    pub badge: Option<Cow<'static, str>>,
-    /// More about the badge, for whoever points at it; may be empty.
-    pub badge_note: String,
-    /// What ends the special state that the title names: words of the button and its command.
-    pub leave: Option<(&'static str, Command)>,
-    /// The patches of this subject: number, size, segments.
-    pub patch: Option<PatchNote>,
-}
+use crate::ui::theme::space;
 
 /// What is drawn over one 3D picture beside its caption.
 #[derive(Clone, Debug, Default)]
@@ -51,10 +30,9 @@ pub struct ViewportOverlayView<'a> {
     pub scale_bar: Option<ScaleBarView<'a>>,
     /// Orientation of the heart.
     pub cube: Option<CubeView>,
+    /// Where points of the subject are at one time or another, from the middle of the picture.
+    pub subject: Vec<Vec2>,
 }
-
-/// Height of title and subtitle, in points.
-const BELOW_TITLE: f32 = 45.0;
 
 /// Draws over `ui.max_rect()`, which the 3D picture fills. Two pictures side by side need a `ui`
 /// each, with its own `id_salt`.
@@ -69,89 +47,34 @@ pub fn viewport_overlay_ui(
     if !inner.is_positive() || inner.width() < 60.0 {
         return;
     }
-    title_ui(ui, inner, caption, commands);
+    let taken = title::title_ui(ui, inner, caption, commands);
     let tall = inner.height() > 180.0;
-    let mut free = inner.x_range();
+    let cube = (view.cube.as_ref()).filter(|_| tall && inner.width() > 200.0);
+    let mut free: egui::Rangef = inner.x_range();
+    if cube.is_some() {
+        free.max -= cube::SIDE;
+    }
     if let Some(bar) = &view.colour_bar {
-        free.min = colour_bar::colour_bar_ui(ui, inner, bar, commands);
-        if let Some(atoms) = &view.atom_bar
-            && tall
-        {
+        // Titles take what the bar of lengths does not need.
+        let scale = view.scale_bar.as_ref().and_then(scale_bar::length);
+        let end = free.max - scale.map_or(0.0, |length| length + space::HUGE);
+        let atoms = view.atom_bar.as_ref().filter(|_| tall);
+        if let Some(atoms) = atoms {
             let above = inner.translate(vec2(0.0, -colour_bar::BAR_HEIGHT));
-            colour_bar::fixed_colour_bar_ui(ui, above, atoms);
+            colour_bar::fixed_colour_bar_ui(ui, above, end, atoms);
         }
+        free.min = colour_bar::colour_bar_ui(ui, inner, end, bar, commands);
     }
-    if let Some(patch) = &caption.patch
-        && tall
-    {
-        let down = if caption.badge.is_some() { 32.0 } else { 6.0 };
-        patch_note::patch_note_ui(ui, inner, down, patch);
+    if let Some(patch) = caption.patch.as_ref().filter(|_| tall) {
+        let subject = view.subject.iter().map(|offset| whole.center() + *offset);
+        let subject: Vec<Pos2> = subject.collect();
+        patch_note::patch_note_ui(ui, inner, &taken, &subject, patch);
     }
-    if let Some(cube) = &view.cube
-        && tall
-        && inner.width() > 200.0
-    {
-        free.max = cube::cube_ui(ui, inner, cube, commands);
+    if let Some(cube) = cube {
+        cube::cube_ui(ui, inner, cube, commands);
     }
     if let Some(scale) = &view.scale_bar {
         scale_bar::scale_bar_ui(ui, inner, free, scale);
-    }
-}
-
-fn title_ui(ui: &mut Ui, inner: Rect, caption: &SubjectCaption, commands: &mut Vec<Command>) {
-    if caption.title.is_empty() {
-        return;
-    }
-    let strong = colours(ui).strong;
-    let mut corner = ui.new_child(
-        UiBuilder::new().max_rect(Rect::from_min_size(inner.min, vec2(inner.width(), 90.0))),
-    );
-    corner.spacing_mut().item_spacing = vec2(space::MEDIUM, 0.0);
-    corner.horizontal(|ui| {
-        let (mark, _) = ui.allocate_exact_size(vec2(10.0, 24.0), egui::Sense::hover());
-        label_mark(ui, mark.center(), 5.0, caption.mark, true);
-        let title = RichText::new(&caption.title)
-            .font(title_font())
-            .color(strong);
-        ui.add(egui::Label::new(title).truncate());
-    });
-    corner.add(egui::Label::new(note(&caption.subtitle)).truncate());
-    if let Some((words, command)) = &caption.leave {
-        corner.add_space(space::SMALL);
-        command_button_ui(&mut corner, note(*words), command.clone(), commands);
-    }
-    if let Some(badge) = &caption.badge {
-        badge_ui(ui, inner, badge, caption);
-    }
-}
-
-/// Beside the title where there is room, below it where there is none.
-fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, caption: &SubjectCaption) {
-    let colours = colours(ui);
-    let title_width = text_width(ui, &caption.title, title_font()) + 10.0 + space::MEDIUM;
-    // The badge reaches down to the words below the title.
-    let title_width = title_width.max(text_width(ui, &caption.subtitle, note_font()));
-    let galley = ui
-        .painter()
-        .layout_no_wrap(badge.to_owned(), note_font(), colours.muted);
-    let size = galley.size() + vec2(14.0, 6.0);
-    let beside = title_width + space::LARGE + size.x <= inner.width();
-    let down = if beside { 6.0 } else { BELOW_TITLE };
-    let rect = Align2::RIGHT_TOP.anchor_size(inner.right_top() + vec2(0.0, down), size);
-    let taken = match &caption.leave {
-        Some((words, _)) if !beside => text_width(ui, words, note_font()) + 2.0 * space::LARGE,
-        _ => 0.0,
-    };
-    if rect.left() < inner.left() + taken {
-        return;
-    }
-    ui.painter().rect_filled(rect, 4.0, colours.control);
-    ui.painter()
-        .galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
-    let response = ui.interact(rect, ui.scope_id().with("badge"), egui::Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, badge));
-    if !caption.badge_note.is_empty() {
-        response.on_hover_text(&caption.badge_note);
     }
 }
 
@@ -229,5 +152,115 @@ mod tests {
                 0.0, 8.5
             ])))]
         );
+    }
+
+    /// What lies over a picture of this size, with points of its subject there.
+    fn over(
+        size: [f32; 2],
+        caption: SubjectCaption,
+        bar: Option<&'static str>,
+        subject: Vec<Vec2>,
+    ) -> Harness<'static, Vec<Command>> {
+        let mut harness = Harness::builder()
+            .with_size(size)
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                move |ui, commands: &mut Vec<Command>| {
+                    let bar = bar.map(|title| ColourBarView {
+                        title,
+                        unit: "mm",
+                        map: [[0, 0, 0], [255, 255, 255]].into(),
+                        limits: [0.0, 12.0],
+                        logarithmic: false,
+                        ticks: &[],
+                        below: [0, 0, 80],
+                        above: [80, 0, 0],
+                        note: "",
+                        typed: false,
+                    });
+                    let view = ViewportOverlayView {
+                        colour_bar: bar,
+                        subject: subject.clone(),
+                        ..Default::default()
+                    };
+                    viewport_overlay_ui(ui, &caption, &view, commands);
+                },
+                Vec::new(),
+            );
+        harness.run();
+        harness
+    }
+
+    fn between_frames() -> SubjectCaption {
+        SubjectCaption {
+            title: "P03".to_owned(),
+            subtitle: "abnormal · between frames 2 and 3".to_owned(),
+            badge: Some("interpolated".into()),
+            patch: Some(PatchNote {
+                heading: "1 abnormal patch · 9 % of the LV".to_owned(),
+                short: "patch 9 %".to_owned(),
+                lines: vec!["mid inferior".to_owned(), "4.1 cm²".to_owned()],
+                found: true,
+            }),
+            ..SubjectCaption::default()
+        }
+    }
+
+    #[test]
+    fn in_a_narrow_picture_the_patch_is_told_in_short_and_nothing_lies_over_anything() {
+        for width in [200.0, 258.0, 320.0, 420.0, 514.0, 700.0] {
+            let harness = over([width, 450.0], between_frames(), None, Vec::new());
+            let rect = |label: &str| harness.get_by_label_contains(label).rect();
+            let note = rect("1 abnormal patch");
+            let all = [
+                rect("P03"),
+                rect("between frames"),
+                rect("interpolated"),
+                note,
+            ];
+            for (place, one) in all.iter().enumerate() {
+                assert!(one.left() >= 0.0 && one.right() <= width, "{width}: {one}");
+                for other in &all[place + 1..] {
+                    assert!(
+                        !one.shrink(0.1).intersects(*other),
+                        "{width}: {one} {other}"
+                    );
+                }
+            }
+            assert!(width > 400.0 || note.width() < 100.0, "{width}: {note}");
+        }
+    }
+
+    #[test]
+    fn the_lines_of_the_patch_end_where_the_subject_begins() {
+        let note = |subject: Vec<Vec2>| {
+            let harness = over([700.0, 440.0], between_frames(), None, subject);
+            harness.get_by_label_contains("1 abnormal patch").rect()
+        };
+        let whole = note(Vec::new());
+        // At the place of the last line, and far below.
+        let second = whole.right_bottom() - egui::pos2(350.0 + 10.0, 220.0 + 4.0);
+        let cut = note(vec![second, vec2(0.0, 0.0)]);
+        assert!(
+            cut.bottom() < whole.bottom() - 10.0 && cut.height() > 20.0,
+            "{cut}"
+        );
+        assert_eq!(note(vec![vec2(0.0, 0.0)]), whole);
+    }
+
+    #[test]
+    fn the_title_of_a_colour_bar_takes_the_room_that_is_there() {
+        let title = "Difference from own motion";
+        let harness = over(
+            [258.0, 450.0],
+            SubjectCaption::default(),
+            Some(title),
+            Vec::new(),
+        );
+        // It is said whole either way, and has more than its former share only where it is shown whole.
+        let shown = harness
+            .get_by_label("Difference from own motion, mm")
+            .rect();
+        assert!(shown.width() > 130.0, "{shown}");
     }
 }

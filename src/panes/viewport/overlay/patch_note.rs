@@ -1,7 +1,11 @@
 //! The patches of the subject on screen in words, in the upper right corner.
 
-use egui::{Rect, Role, Sense, Shape, Ui, WidgetInfo, pos2, vec2};
+use std::sync::Arc;
 
+use egui::text::LayoutJob;
+use egui::{Align, Galley, Pos2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
+
+use super::free_place::free_place;
 use crate::ui::style::{medium_font, note_font};
 use crate::ui::theme::{colours, radius, space};
 
@@ -10,62 +14,75 @@ use crate::ui::theme::{colours, radius, space};
 pub struct PatchNote {
     /// "1 patch · 31 % of the LV".
     pub heading: String,
+    /// "patch 31 %", where the heading has no room.
+    pub short: String,
     /// Segments, area, thickening.
     pub lines: Vec<String>,
     /// Whether there is a patch: the heading has the colour of its outline.
     pub found: bool,
 }
 
-/// Draws the note where the title leaves room; narrow pictures have the heading alone or nothing.
-pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
-    let room = 0.55 * inner.width();
+/// Narrower pictures have the heading alone.
+const WIDTH_OF_LINES: f32 = 380.0;
+
+/// Draws the note where title and badge, which stand at `taken`, leave room. It is never left out, for silence would mean
+/// that there is no patch; but its lines end where they would come over the subject, of which `subject` are points.
+pub fn patch_note_ui(ui: &Ui, inner: Rect, taken: &[Rect], subject: &[Pos2], note: &PatchNote) {
     let colours = colours(ui);
-    let heading_colour = if note.found {
+    let colour = if note.found {
         colours.selection
     } else {
         colours.muted
     };
-    let painter = ui.painter();
-    let heading = painter.layout_no_wrap(note.heading.clone(), medium_font(), heading_colour);
-    if heading.size().x > room {
-        return;
-    }
-    // A plate below the words keeps them readable over the surface.
-    let plate = painter.add(Shape::Noop);
-    let mut top = inner.top() + down;
-    let mut area = Rect::NOTHING;
-    let mut draw = |galley: std::sync::Arc<egui::Galley>, colour| {
-        let size = galley.size();
-        let at = pos2(inner.right() - size.x, top);
-        // A galley that ends at the right is placed by its right end.
-        let by_right = galley.job.halign == egui::Align::RIGHT;
-        let anchor = if by_right { inner.right() } else { at.x };
-        painter.galley(pos2(anchor, top), galley, colour);
-        area = area.union(Rect::from_min_size(at, size));
-        top += size.y + 1.0;
+    let top = inner.top() + 6.0;
+    let covers = |rect: Rect| subject.iter().any(|at| rect.expand(6.0).contains(*at));
+    let placed = |text: &str| {
+        let galley = (ui.painter()).layout_no_wrap(text.to_owned(), medium_font(), colour);
+        let rect = free_place(taken, inner.right(), top, galley.size());
+        (rect, galley)
     };
-    draw(heading, heading_colour);
-    // In a low picture they would lie over the heart.
-    if inner.width() > 380.0 && inner.height() > 460.0 {
-        for line in &note.lines {
-            let mut job = egui::text::LayoutJob::simple(
-                line.clone(),
-                note_font(),
-                colours.muted,
-                room.min(320.0),
-            );
-            // Lines end at the right edge, each by itself.
-            job.halign = egui::Align::RIGHT;
-            draw(painter.layout_job(job), colours.muted);
+    let [long, short] = [&note.heading, &note.short].map(|text| placed(text));
+    let long_fits = long.0.top() <= short.0.top() && long.0.left() >= inner.left();
+    let heading = match note.short.is_empty() || (long_fits && !covers(long.0)) {
+        true => long,
+        false => short,
+    };
+    let mut area = heading.0;
+    let draw = |(rect, galley): (Rect, Arc<Galley>), colour| {
+        if covers(rect) {
+            // A plate below the words keeps them readable over the surface.
+            let ground = rect.expand2(vec2(space::SMALL, 1.0));
+            let dim = colours.pane.gamma_multiply(0.8);
+            ui.painter().rect_filled(ground, radius::CONTROL, dim);
         }
+        // A galley that ends at the right is placed by its right end.
+        let by_right = galley.job.halign == Align::RIGHT;
+        let at = if by_right {
+            rect.right_top()
+        } else {
+            rect.left_top()
+        };
+        ui.painter().galley(at, galley, colour);
+    };
+    draw(heading, colour);
+    let lines = note.lines.iter();
+    for line in lines.filter(|_| inner.width() > WIDTH_OF_LINES) {
+        let room = (0.55 * inner.width()).min(320.0);
+        let mut job = LayoutJob::simple(line.clone(), note_font(), colours.muted, room);
+        // Lines end at the right edge, each by itself.
+        job.halign = Align::RIGHT;
+        let galley = ui.painter().layout_job(job);
+        let top = area.bottom() + 1.0;
+        let rect = free_place(taken, inner.right(), top, galley.size());
+        if covers(rect) {
+            break;
+        }
+        area = area.union(rect);
+        draw((rect, galley), colours.muted);
     }
-    let ground = area.expand2(vec2(space::MEDIUM, space::SMALL));
-    let dim = colours.pane.gamma_multiply(0.8);
-    painter.set(plate, Shape::rect_filled(ground, radius::CONTROL, dim));
     let words = format!("{}. {}", note.heading, note.lines.join(". "));
     let response = ui.interact(area, ui.scope_id().with("patch note"), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.clone()));
-    if !note.lines.is_empty() {
-        response.on_hover_text(note.lines.join("\n"));
-    }
+    let hint = [&note.heading].into_iter().chain(&note.lines);
+    response.on_hover_text(hint.map(String::as_str).collect::<Vec<_>>().join("\n"));
 }

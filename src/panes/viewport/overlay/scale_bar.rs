@@ -21,11 +21,10 @@ const LONGEST: f64 = 110.0;
 /// Draws the bar at the middle of the lower edge, or as near to it as `free`, the part of the edge
 /// that nothing else takes, allows.
 pub fn scale_bar_ui(ui: &Ui, inner: Rect, free: Rangef, view: &ScaleBarView) {
-    let length = nice_floor(LONGEST / view.points_per_unit);
-    let points = (length * view.points_per_unit) as f32;
-    if !(points.is_finite() && points > 8.0 && points + 8.0 < free.span()) {
+    let Some(points) = length(view).filter(|points| points + 8.0 < free.span()) else {
         return;
-    }
+    };
+    let length = nice_floor(LONGEST / view.points_per_unit);
     let colours = colours(ui);
     let stroke = Stroke::new(line::MARK, colours.muted);
     let y = inner.bottom() - 16.0;
@@ -38,4 +37,11 @@ pub fn scale_bar_ui(ui: &Ui, inner: Rect, free: Rangef, view: &ScaleBarView) {
     }
     let text = format!("{} {}", tick_text(length, length), view.unit);
     note_at(ui, pos2(x, y + 3.0), Align2::CENTER_TOP, text);
+}
+
+/// How long the bar is, in points; `None` where no length can be shown.
+pub fn length(view: &ScaleBarView) -> Option<f32> {
+    let length = nice_floor(LONGEST / view.points_per_unit);
+    let points = (length * view.points_per_unit) as f32;
+    (points.is_finite() && points > 8.0).then_some(points)
 }
