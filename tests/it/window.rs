@@ -368,9 +368,9 @@ fn an_idle_window_asks_for_no_repaint() {
 
 #[test]
 fn a_running_map_can_be_cancelled_and_asked_for_again() {
-    // So many vertices that the map takes a second, whatever the machine.
+    // So many vertices that the map takes half a second, whatever the machine.
     let mut harness = window(AppOptions::built_in(BuiltInParams {
-        vertices: 6_000,
+        vertices: 3_000,
         ..BuiltInParams::default()
     }));
     wait(&mut harness, "the map", |app| {

@@ -326,8 +326,8 @@ fn partners_with_one_motion_are_nearest_by_every_metric_and_are_refused_where_th
         "--json",
     ]));
     let rows = answer["partners"].as_array().unwrap();
-    // Ten ways of comparing after five of transport, and three on hearts as they are.
-    assert_eq!(rows.len(), 10 * 5 + 3);
+    // Ten ways of comparing after five of transport, and six on hearts as they are or with a transport of their own.
+    assert_eq!(rows.len(), 10 * 5 + 6);
     for row in rows {
         assert_eq!(row["pairs"], 6, "{row}");
         assert_eq!(row["nearest"], 6, "{row}");

@@ -3,6 +3,7 @@
 use super::*;
 use cardiomorph::panes::{BeatCommand, EditCommand, MapCommand, WindowCommand, WorkCommand};
 
+use cardiomorph::analysis::deformations::Comparison;
 use cardiomorph::analysis::embedding::MapMethod;
 use cardiomorph::analysis::metrics::MetricKind;
 use cardiomorph::engine::{PoseMapQuery, Topic};
@@ -250,6 +251,11 @@ fn a_stopped_map_of_poses_stops_the_map_of_deformations_and_both_come_back() {
         vertices: 2_500,
         ..BuiltInParams::default()
     }));
+    // Curves of poses stand on the pose map; where deformations are compared, their map needs none.
+    give(
+        &mut harness,
+        Command::Map(MapCommand::SetComparison(Comparison::Poses)),
+    );
     wait(&mut harness, "the map", |app| {
         app.state().deformations().is_some() && !app.busy()
     });
