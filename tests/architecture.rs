@@ -99,7 +99,13 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ),
     (
         "verdicts",
-        &["thickening", "medial", "measures", "classification"],
+        &[
+            "thickening",
+            "medial",
+            "measures",
+            "segments",
+            "classification",
+        ],
     ),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
@@ -107,7 +113,16 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("pose_distances", &["alignment", "metrics", "transport"]),
     ("embedding", &["pose_distances", "alignment"]),
     ("classification", &["pose_distances", "embedding"]),
-    ("deformations", &["pose_distances", "embedding"]),
+    (
+        "deformations",
+        &[
+            "alignment",
+            "metrics",
+            "transport",
+            "pose_distances",
+            "embedding",
+        ],
+    ),
     (
         "experiments",
         &[

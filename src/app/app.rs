@@ -282,7 +282,7 @@ impl App {
     }
 
     /// Moves the motion on by the time since the last frame.
-    fn play(&mut self, ctx: &Context) {
+    fn advance(&mut self, ctx: &Context) {
         if !self.state.play.playing {
             self.played_at_s = None;
             return;
@@ -329,7 +329,7 @@ impl eframe::App for App {
         }
         let (files, mut exporting) = self.exporting(ctx);
         files.take_waiting_figures(&mut exporting);
-        self.play(ctx);
+        self.advance(ctx);
         if self.first_picture_is_ahead() {
             self.state.answers = Answers {
                 listing: self.state.document.study.listing,

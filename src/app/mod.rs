@@ -1,7 +1,7 @@
 //! The window: frame loop, layout, applying of commands, bars, sheets, dialogs and exports.
 //!
 //! Begin with `app.rs`: `logic` applies commands, takes in what finished and asks the store, then `ui` draws and collects
-//! commands. `apply/` is the one place that changes the state; `asks.rs` is what is asked for whatever is on screen. What
+//! commands. `apply/` does to the state what commands ask for, `background.rs` and `saved_views.rs` take in what was read; `asks.rs` is what is asked for whatever is on screen. What
 //! panes show stands in `panes`, what they read in `document`.
 
 #[expect(

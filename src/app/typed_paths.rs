@@ -104,7 +104,7 @@ impl TypedPaths {
 }
 
 /// Most names that are tried.
-const MOST_NAMES: u32 = 1000;
+const MAX_NAMES: u32 = 1000;
 
 /// The place that is proposed; for a study, which is written into an empty folder alone, the first name that is free.
 fn free_place(question: &PathQuestion, folder: &Path) -> PathBuf {
@@ -112,7 +112,7 @@ fn free_place(question: &PathQuestion, folder: &Path) -> PathBuf {
     if *question != PathQuestion::SaveStudy || !first.exists() {
         return first;
     }
-    let others = (2..MOST_NAMES).map(|n| folder.join(format!("{}-{n}", question.suggested())));
+    let others = (2..MAX_NAMES).map(|n| folder.join(format!("{}-{n}", question.suggested())));
     let mut free = others.filter(|place| !place.exists());
     free.next().unwrap_or(first)
 }
@@ -238,9 +238,14 @@ mod tests {
         let study = PathQuestion::SaveStudy;
         let proposed = |taken: &[&str]| {
             let folder = tempfile::tempdir().unwrap();
-            for name in taken {
-                std::fs::create_dir(folder.path().join(name)).unwrap();
-            }
+            let named = |name: &&str| {
+                let exact = tempfile::Builder::new()
+                    .prefix(*name)
+                    .rand_bytes(0)
+                    .tempdir_in(folder.path());
+                exact.unwrap()
+            };
+            let _taken: Vec<_> = taken.iter().map(named).collect();
             let place = free_place(&study, folder.path());
             place.file_name().unwrap().to_owned()
         };

@@ -5,9 +5,11 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use crate::analysis::embedding::MapMethod;
+use crate::analysis::verdicts::CheckedRule;
 use crate::cli::analyze_pictures::Pictured;
 use crate::cli::args::AnalyzeArgs;
 use crate::cli::input::{in_unit, interrupted, opened_study, store};
+use crate::cli::learn::read_rule;
 use crate::cli::letters::say_missing_letters;
 use crate::cli::measure::say_warnings;
 use crate::cli::outcome::CliError;
@@ -47,10 +49,11 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
         },
         distances: args.distances.into(),
     };
+    let rule = args.rule.as_deref().map(read_rule).transpose()?;
     say_missing_letters(&study);
     let results = Arc::new(ResultFolder::new(args.out.clone()));
     let figures = args.figures == Switch::On;
-    let outcome = analyzed_into(&results, &study, settings, figures);
+    let outcome = analyzed_into(&results, &study, settings, rule, figures);
     if let Err(error) = &outcome {
         let mut expected = settings.expected();
         expected.extend(figures.then(|| "figures".to_owned()));
@@ -67,6 +70,7 @@ fn analyzed_into(
     results: &Arc<ResultFolder>,
     study: &Arc<Study>,
     settings: TableSettings,
+    rule: Option<CheckedRule>,
     figures: bool,
 ) -> Result<Value, CliError> {
     let store = store()?;
@@ -75,8 +79,17 @@ fn analyzed_into(
         let (store, study, results) = &work;
         let mut deliver = |files| results.write(files);
         let folder = results.path();
-        AnalysisTables::of(store, study, &settings, folder, &mut deliver, progress)
-            .map_err(interrupted)
+        let rule = rule.as_ref();
+        AnalysisTables::of(
+            store,
+            study,
+            &settings,
+            rule,
+            folder,
+            &mut deliver,
+            progress,
+        )
+        .map_err(interrupted)
     })?;
     if let Some(reason) = &tables.without_deformations {
         say(&format!("cardiomorph: no deformation map: {reason}"));
@@ -88,6 +101,7 @@ fn analyzed_into(
         verdicts: Arc::clone(&tables.verdicts),
         poses: Arc::clone(&tables.poses),
         deformations: tables.deformations.clone(),
+        classes: tables.classes.clone(),
         settings,
         results: Arc::clone(results),
     };

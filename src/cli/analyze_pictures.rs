@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
+use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::{Finding, Verdicts};
+use crate::analysis::verdicts::Verdicts;
 use crate::cli::figure::{Shot, Studio};
 use crate::cli::input::interrupted;
 use crate::cli::outcome::CliError;
@@ -38,6 +39,7 @@ pub(super) struct Pictured {
     pub(super) verdicts: Arc<Verdicts>,
     pub(super) poses: Arc<PoseMap>,
     pub(super) deformations: Option<Arc<DeformationMap>>,
+    pub(super) classes: Option<Arc<Classes>>,
     pub(super) settings: TableSettings,
     pub(super) results: Arc<ResultFolder>,
 }
@@ -112,7 +114,7 @@ impl Pictured {
             let figure = studio.figure(&shot, scene, None)?;
             let file = self.picture(&studio, &figure, &format!("{name}.png"))?;
             let mut patch_file = None;
-            if let Some(wall) = self.abnormal_wall(index, store, progress)? {
+            if let Some(wall) = self.patched_wall(index, store, progress)? {
                 let scene = SceneSettings {
                     quantity: Quantity::Tissue,
                     medial: MedialSettings::of_patch_figure(),
@@ -162,15 +164,15 @@ impl Pictured {
         measured.or(subject.end_systole).unwrap_or(last).min(last)
     }
 
-    /// The wall of a subject whose verdict is an abnormal patch.
-    fn abnormal_wall(
+    /// The wall of a subject whose verdict is a patch.
+    fn patched_wall(
         &self,
         subject: usize,
         store: &Store,
         progress: &Progress,
     ) -> Result<Option<Arc<SubjectThickening>>, CliError> {
         let assessed = self.verdicts.subjects.get(subject);
-        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
+        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding.is_patch()) {
             return Ok(None);
         }
         let query = WallThickeningQuery {
@@ -201,6 +203,7 @@ impl Pictured {
             verdicts: &self.verdicts,
             poses: Some(&self.poses),
             deformations: self.deformations.as_deref(),
+            classes: self.classes.as_deref(),
             parameters: &parameters,
         };
         let pages = report_pages(&order, patches, &fonts);

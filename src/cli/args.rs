@@ -54,6 +54,8 @@ pub enum Command {
     Info(InfoArgs),
     /// Runs the whole analysis: tables, maps, summary, figures, report
     Analyze(AnalyzeArgs),
+    /// Trains a classifier on the labelled subjects of a study and writes it, for `analyze --rule`
+    Learn(LearnArgs),
     /// Writes clinical measures only
     Measure(MeasureArgs),
     /// Fits medial spheres into a wall: centre, radius, spokes, normal
@@ -150,6 +152,9 @@ pub struct AnalyzeArgs {
     pub maps: MapOptions,
     #[command(flatten)]
     pub patches: PatchOptions,
+    /// Classify by this file, which `learn` wrote, instead of the labels of the study
+    #[arg(long, value_name = "FILE")]
+    pub rule: Option<PathBuf>,
     /// Whether a figure is rendered of every subject
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub figures: Switch,
@@ -157,6 +162,25 @@ pub struct AnalyzeArgs {
     /// or not at all
     #[arg(long, value_enum, default_value_t = DistancesWord::Csv)]
     pub distances: DistancesWord,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `learn`.
+#[derive(Debug, Args)]
+pub struct LearnArgs {
+    /// Studies, folders and files, together as one study; the built-in cohort if none is given
+    #[arg(value_name = "STUDY")]
+    pub study: Vec<PathBuf>,
+    /// Unit of length of all subjects [default: as the study says, or by the size of the heart]
+    #[arg(long, value_enum)]
+    pub unit: Option<UnitWord>,
+    /// Output file, JSON: features, weights, ranges and accuracy, and no subject
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub patches: PatchOptions,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

@@ -1,4 +1,4 @@
-//! `experiment`: the studies of noise, of transfer and interpolation, of metrics on a labelled cohort, and of
+//! `experiment`: the experiments with noise, with transport and interpolation, of metrics on a labelled cohort, and of
 //! partners.
 
 use std::sync::Arc;
@@ -6,9 +6,10 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use crate::analysis::experiments::{
-    InterpolationStudyParams, MetricComparisonParams, NoiseDeformationParams,
-    NoiseDeformationResult, NoiseReference, PartnerParams, TransportStudy, TransportStudyParams,
-    interpolation_study, metric_comparison, noise_deformation, partner_study, transport_study,
+    InterpolationExperimentParams, MetricComparisonParams, NoiseDeformationParams,
+    NoiseDeformationResult, NoiseReference, PartnerParams, TransportExperiment,
+    TransportExperimentParams, interpolation_experiment, metric_comparison, noise_deformation,
+    partner_study, transport_experiment,
 };
 use crate::analysis::transport::CohortTransportParams;
 use crate::cli::experiment_args::{
@@ -35,25 +36,25 @@ pub(super) fn experiment(command: &ExperimentCommand) -> Result<(), CliError> {
     }
 }
 
-/// Section 3.4: noise, transfer and interpolation of synthetic deformations.
+/// Section 3.4: noise, transport and interpolation of synthetic deformations.
 fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
     let params = noise_params(args);
     let result = run_work(move |progress| {
         progress.begin_phase("classifying noisy deformations", 0.0, 1.0);
         noise_deformation(&params, progress)
     })?;
-    let transfers = run_work(|progress| {
+    let transported = run_work(|progress| {
         progress.begin_phase("transporting deformations", 0.0, 1.0);
-        transport_study(&TransportStudyParams::default(), progress)
+        transport_experiment(&TransportExperimentParams::default(), progress)
     })?;
     let interpolations = run_work(|progress| {
         progress.begin_phase("interpolating deformations", 0.0, 1.0);
-        interpolation_study(&InterpolationStudyParams::default(), progress)
+        interpolation_experiment(&InterpolationExperimentParams::default(), progress)
     })?;
     let mut summary = noise_json(&result);
     if let Value::Object(object) = &mut summary {
-        object.insert("transferred".to_owned(), json!(transfers.cases.len()));
-        object.insert("followed".to_owned(), json!(followed(&transfers)));
+        object.insert("transferred".to_owned(), json!(transported.cases.len()));
+        object.insert("followed".to_owned(), json!(followed(&transported)));
     }
     let files = vec![
         ExportFile::text(&args.out, "noise.csv", csv(&NoiseRow::of_result(&result))),
@@ -63,7 +64,7 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
             "Cluster agreement under noise",
             |fonts| noise_page(&result, fonts),
         )?,
-        ExportFile::text(&args.out, "transfer.csv", csv(&transfers.cases)),
+        ExportFile::text(&args.out, "transfer.csv", csv(&transported.cases)),
         ExportFile::text(&args.out, "interpolation.csv", csv(&interpolations.cases)),
         summary_file(&args.out, &summary)?,
     ];
@@ -74,8 +75,8 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
     print(&noise_table(&result))?;
     print(&format!(
         "parallel transport: {} of {} deformations reproduced on the target\n{}",
-        followed(&transfers),
-        transfers.cases.len(),
+        followed(&transported),
+        transported.cases.len(),
         args.out.display()
     ))
 }
@@ -95,8 +96,8 @@ fn noise_params(args: &NoiseDeformationArgs) -> NoiseDeformationParams {
     params
 }
 
-fn followed(study: &TransportStudy) -> usize {
-    study.cases.iter().filter(|case| case.followed).count()
+fn followed(experiment: &TransportExperiment) -> usize {
+    experiment.cases.iter().filter(|case| case.followed).count()
 }
 
 /// The protocol, then a line per cell.
@@ -128,14 +129,14 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
         "on" if study.index_of("on").is_none() => "mean",
         word => word,
     };
-    let transfer = reference(word, &study)?.map(|reference| CohortTransportParams {
+    let transport = reference(word, &study)?.map(|reference| CohortTransportParams {
         reference,
         ..CohortTransportParams::default()
     });
     let params = MetricComparisonParams {
         redraws: args.redraws,
         seed: args.seed,
-        ..MetricComparisonParams::all_metrics(transfer)
+        ..MetricComparisonParams::all_metrics(transport)
     };
     let work_study = Arc::clone(&study);
     let comparison = run_work(move |progress| {
@@ -183,7 +184,7 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
 fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
     let default = CohortTransportParams::default();
-    let transfer = CohortTransportParams {
+    let transport = CohortTransportParams {
         interpolated_poses: args
             .interpolated_poses
             .unwrap_or(default.interpolated_poses),
@@ -195,7 +196,7 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
         },
         ..default
     };
-    let params = PartnerParams::all_metrics(transfer);
+    let params = PartnerParams::all_metrics(transport);
     let partners = run_work(move |progress| {
         progress.begin_phase("ranking partners", 0.0, 1.0);
         partner_study(&study, &params, progress)

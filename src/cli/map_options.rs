@@ -2,28 +2,44 @@
 
 use clap::Args;
 
-use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::deformations::{Comparison, DeformationMapParams, PartWeights};
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
+use crate::cli::words::ComparisonWord;
 use crate::engine::{DeformationMapQuery, PoseMapQuery};
 use crate::study::Study;
 
 /// How poses are transported, and how motions are compared.
 #[derive(Clone, Debug, Args)]
 pub struct MapOptions {
-    /// Parallel transport of all motions before poses are compared, onto: none, mean, or the id of a subject
+    /// Parallel transport of all motions before poses are compared, onto: none, mean, or the id of a subject.
+    /// Deformations are transported in any case, with none onto the mean
     #[arg(long, value_name = "REFERENCE", default_value = "none")]
     pub transfer: String,
     /// Smoothing length of poses before they are compared, in √area; 0: no smoothing
     #[arg(long, value_name = "R", default_value_t = PoseDistanceParams::default().smoothing, allow_negative_numbers = true)]
     pub smoothing: f64,
+    /// What of two beats is compared in the deformation map and the classification
+    #[arg(long, value_enum, value_name = "PARTS", default_value_t = ComparisonWord::default())]
+    pub compare: ComparisonWord,
+    /// Weight of shape relative to that of deformation where both are compared, each over its median
+    #[arg(
+        long,
+        value_name = "W",
+        default_value_t = 1.0,
+        allow_negative_numbers = true
+    )]
+    pub shape_weight: f64,
+    /// Smoothing length of poses before deformations are compared, in √area; 0: no smoothing
+    #[arg(long, value_name = "R", default_value_t = DeformationMapParams::default().smoothing, allow_negative_numbers = true)]
+    pub deformation_smoothing: f64,
     /// Also embed poses by Isomap with K nearest neighbours
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
     pub isomap: Option<u16>,
-    /// Weight of time in the curves of motions [default: RMS radius over standard deviation of time]
+    /// Weight of time in the curves of poses, with --compare poses [default: RMS radius over standard deviation of time]
     #[arg(long, value_name = "W", allow_negative_numbers = true)]
     pub time_weight: Option<f64>,
     /// Nearest neighbours in the deformation map [default: from the number of subjects]
@@ -53,6 +69,8 @@ impl MapOptions {
                 ..CohortTransportParams::default()
             });
         let map = DeformationMapParams {
+            comparison: self.comparison(),
+            smoothing: self.deformation_smoothing,
             time_weight: self.time_weight,
             neighbours: self.neighbours,
             regularisation: self.regularisation,
@@ -72,6 +90,18 @@ impl MapOptions {
             poses: PoseMapQuery { distances, method },
             map,
         })
+    }
+
+    fn comparison(&self) -> Comparison {
+        match self.compare {
+            ComparisonWord::Deformation => Comparison::default(),
+            ComparisonWord::DeformationAndShape => Comparison::Parts(PartWeights {
+                shape: self.shape_weight,
+                ..PartWeights::DEFORMATION
+            }),
+            ComparisonWord::Shape => Comparison::Parts(PartWeights::SHAPE),
+            ComparisonWord::Poses => Comparison::Poses,
+        }
     }
 
     fn reference(&self, study: &Study) -> Result<Option<Reference>, CliError> {

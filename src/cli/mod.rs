@@ -15,6 +15,7 @@ mod figure_args;
 mod info;
 mod input;
 mod interpolate;
+mod learn;
 mod letters;
 mod limit_options;
 mod map_options;

@@ -7,7 +7,8 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::{print, say};
 use crate::cli::work::hear_ctrl_c;
 use crate::cli::{
-    analyze, demo, embed, experiment, figure, info, interpolate, measure, medial, metric, transfer,
+    analyze, demo, embed, experiment, figure, info, interpolate, learn, measure, medial, metric,
+    transfer,
 };
 use crate::report::all_columns_md;
 
@@ -18,6 +19,7 @@ pub fn run(command: Command) -> ExitCode {
         Command::Demo(args) => demo::demo(&args),
         Command::Info(args) => info::info(&args),
         Command::Analyze(args) => analyze::analyze(&args),
+        Command::Learn(args) => learn::learn(&args),
         Command::Measure(args) => measure::measure(&args),
         Command::Medial(args) => medial::medial(&args),
         Command::Metric(args) => metric::metric(&args),

@@ -15,7 +15,7 @@ pub(super) fn measure_files(
     measures: &[SubjectMeasures],
     folder: &Path,
 ) -> Vec<ExportFile> {
-    let frames = csv(&FrameRow::of_study(study, measures));
+    let frames = csv(&FrameRow::of_frames(study, measures));
     let subjects = csv(&SubjectRow::of_study(study, measures));
     vec![
         ExportFile::text(folder, "frames.csv", frames),

@@ -66,6 +66,21 @@ pub enum Switch {
     Off,
 }
 
+/// Words of `--compare`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum ComparisonWord {
+    /// Motion relative to the own end-diastole, transported onto one shape
+    #[default]
+    Deformation,
+    /// Deformation and end-diastolic shape, each over its median in the study
+    #[value(name = "deformation+shape")]
+    DeformationAndShape,
+    /// End-diastolic shape alone
+    Shape,
+    /// Poses at equal phases with their shape, mapped as curves on the pose map
+    Poses,
+}
+
 /// Words of `--distances`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum DistancesWord {

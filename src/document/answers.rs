@@ -52,18 +52,18 @@ impl WallAnswer {
     /// What cannot be told of a wall is an answer too: "not assessed", with its reason.
     pub fn new(subject: usize, showing: Showing<SubjectThickening>) -> Self {
         // Colours and borders of a wall that is not resolved would look like findings.
-        let told = |found: &Arc<SubjectThickening>| match &found.not_assessed {
+        let assessed = |found: &Arc<SubjectThickening>| match &found.not_assessed {
             Some(reason) => Err(reason.to_string()),
             None => Ok(Arc::clone(found)),
         };
         let found = match &showing {
-            Showing::Ready(found) => Some((told(found), true)),
+            Showing::Ready(found) => Some((assessed(found), true)),
             Showing::Interrupted {
                 why: Interrupted::Failed(error),
                 ..
             } => Some((Err(error.to_string()), true)),
             Showing::Computing { previous, .. } | Showing::Interrupted { previous, .. } => {
-                previous.as_ref().map(|found| (told(found), false))
+                previous.as_ref().map(|found| (assessed(found), false))
             }
         };
         Self {

@@ -1,4 +1,4 @@
-//! Everything the window shows, as plain values; `apply` alone changes it.
+//! Everything the window shows, as plain values; the room `app` alone changes it.
 
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
-use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::measures::{SubjectMeasures, phases_of};
 use crate::analysis::transport::Reference;
 use crate::document::ErrorCard;
 use crate::document::ThemeChoice;
@@ -199,18 +199,12 @@ impl State {
         Some((found, *of_today))
     }
 
-    /// Frames of end-diastole and end-systole of a subject: as stated, else as measured.
+    /// Frames of end-diastole and end-systole of a subject: as stated, else as measured. What was computed with phases,
+    /// such as an ejection fraction, has its own, which may be those before the last edit.
     pub fn phases_of(&self, index: usize) -> (Option<usize>, Option<usize>) {
-        let stated = self.subject(index);
-        let measured = self.measures_of(index);
-        (
-            stated
-                .and_then(|subject| subject.end_diastole)
-                .or_else(|| measured.and_then(|measures| measures.end_diastole)),
-            stated
-                .and_then(|subject| subject.end_systole)
-                .or_else(|| measured.and_then(|measures| measures.end_systole)),
-        )
+        (self.subject(index)).map_or((None, None), |subject| {
+            phases_of(subject, self.measures_of(index))
+        })
     }
 
     /// "ED" or "ES", where a frame of a subject is that phase.
@@ -245,8 +239,8 @@ impl State {
             report: Arc::new(report),
         });
         document.map = before.map;
-        if let Some(transfer) = document.map.distances.transport
-            && matches!(transfer.reference, Reference::Subject(_))
+        if let Some(transport) = document.map.distances.transport
+            && matches!(transport.reference, Reference::Subject(_))
         {
             // That subject is not of this study.
             document.map.distances.transport = None;

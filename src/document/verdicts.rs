@@ -51,6 +51,10 @@ mod tests {
                 similar_normal: Vec::new(),
                 similar_abnormal: Vec::new(),
                 training_set_distance: None,
+                wall: true,
+                kinds: Vec::new(),
+                reasons: Vec::new(),
+                outside: Vec::new(),
             }),
         };
         Arc::new(Verdicts {

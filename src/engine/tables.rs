@@ -10,11 +10,11 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::medial_map;
-use crate::analysis::verdicts::{Verdicts, verdicts};
+use crate::analysis::verdicts::{CheckedRule, Verdicts, verdicts, verdicts_by_rule};
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
 use crate::engine::queries::{
     ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap, PoseMapQuery,
-    VerdictQuery, distance_words,
+    VerdictQuery, deformation_words, distance_words,
 };
 use crate::engine::result_folder::{complete, name_in};
 use crate::engine::store::{Interrupted, Store};
@@ -102,6 +102,8 @@ pub struct AnalysisTables {
     pub poses: Arc<PoseMap>,
     /// The deformation map.
     pub deformations: Option<Arc<DeformationMap>>,
+    /// How well the labels are told apart by it.
+    pub classes: Option<Arc<Classes>>,
     /// The subjects whose wall could not be assessed, and why.
     pub unassessed: Vec<Unassessed>,
     /// What `summary.json` says, without the list of files.
@@ -115,7 +117,8 @@ pub type Deliver<'a> = dyn FnMut(Vec<ExportFile>) -> Result<(), String> + 'a;
 
 impl AnalysisTables {
     /// Does the whole analysis for `folder` and delivers each table as soon as it is known. Poses are mapped by classical
-    /// scaling, by stress majorisation and by the method of the settings. The tables of atoms and of distances grow beside
+    /// scaling, by stress majorisation and by the method of the settings. A rule, where there is one, makes the verdicts in the
+    /// place of the labels of the study. The tables of atoms and of distances grow beside
     /// their place, since those of a large cohort do not fit into memory.
     ///
     /// # Errors
@@ -125,6 +128,7 @@ impl AnalysisTables {
         store: &Store,
         study: &Arc<Study>,
         settings: &TableSettings,
+        rule: Option<&CheckedRule>,
         folder: &Path,
         deliver: &mut Deliver<'_>,
         progress: &Progress,
@@ -172,7 +176,10 @@ impl AnalysisTables {
         hand_over(files.into())?;
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
         let checked = settings.verdicts.verdicts.check()?;
-        let verdicts = verdicts(study, &walls.examined, &checked, &part)?;
+        let verdicts = match rule {
+            Some(rule) => verdicts_by_rule(study, &walls.examined, rule)?,
+            None => verdicts(study, &walls.examined, &checked, &part)?,
+        };
         let medial = medial_map(&walls.paths, MapMethod::ClassicalMds, &part);
         let medial = match medial.map_err(Interrupted::from) {
             Ok(map) => Ok(map),
@@ -189,6 +196,7 @@ impl AnalysisTables {
             measures: &measures,
             distances: &maps[0].1.distances,
             metric: &distance_words(&deformations.poses.distances),
+            comparison: &deformation_words(deformations),
             maps: (maps.iter())
                 .map(|(word, map)| (*word, &map.embedding))
                 .collect(),
@@ -204,6 +212,7 @@ impl AnalysisTables {
             measures,
             verdicts: Arc::new(verdicts),
             poses: Arc::clone(&maps[0].1),
+            classes: classes.as_ref().map(|found| Arc::clone(&found.classes)),
             deformations: classes.map(|found| found.map),
             unassessed: walls.unassessed,
             summary,
@@ -234,7 +243,7 @@ pub fn tables_of_study(
         files.extend(more);
         Ok(())
     };
-    let tables = AnalysisTables::of(store, study, settings, folder, &mut keep, progress)?;
+    let tables = AnalysisTables::of(store, study, settings, None, folder, &mut keep, progress)?;
     let names = |files: &[ExportFile]| -> Vec<String> {
         let names = files.iter();
         names
@@ -254,7 +263,7 @@ pub fn tables_of_study(
 
 /// `frames.csv`, `subjects.csv` and its older name.
 fn measure_files(study: &Study, measures: &[SubjectMeasures], folder: &Path) -> Vec<ExportFile> {
-    let mut files = tables_of(&FrameRow::of_study(study, measures), folder);
+    let mut files = tables_of(&FrameRow::of_frames(study, measures), folder);
     files.extend(tables_of(&SubjectRow::of_study(study, measures), folder));
     files
 }

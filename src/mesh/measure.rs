@@ -15,6 +15,24 @@ pub fn area(vertices: &[Point3], triangles: &[[u32; 3]]) -> f64 {
         .sum()
 }
 
+/// Area that each vertex stands for: a third of that of each of its faces, in square coordinates. Sums are taken in the
+/// order of the faces.
+pub fn vertex_areas<'a>(
+    vertices: &[Point3],
+    triangles: impl IntoIterator<Item = &'a [u32; 3]>,
+) -> Vec<f64> {
+    let mut areas = vec![0.0; vertices.len()];
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|v| vertices[v as usize]);
+        // The cross product is twice the area, and each corner has a third of it.
+        let third = (b - a).cross(&(c - a)).norm() / 6.0;
+        for &vertex in triangle {
+            areas[vertex as usize] += third;
+        }
+    }
+    areas
+}
+
 /// Volume enclosed by triangles, in cubic coordinates; positive where normals point outwards.
 ///
 /// By the divergence theorem on x / 3: V = ⅙ Σ (a − o) · ((b − o) × (c − o)), exact for the closed
@@ -95,6 +113,21 @@ mod tests {
                 assert!((3.8..4.2).contains(&ratio), "{ratio}");
             }
         }
+    }
+
+    #[test]
+    fn areas_of_vertices_sum_to_the_whole_and_are_equal_where_all_look_alike() {
+        let octahedron = phantom::sphere(0, 1.0);
+        let areas = vertex_areas(octahedron.vertices(), octahedron.triangles());
+        let whole = area(octahedron.vertices(), octahedron.triangles());
+        let each = whole / areas.len() as f64;
+        assert!(areas.iter().all(|area| (area - each).abs() < 1e-12));
+        // A vertex of no face stands for nothing.
+        assert!(
+            vertex_areas(octahedron.vertices(), [])
+                .iter()
+                .all(|&area| area == 0.0)
+        );
     }
 
     #[test]

@@ -52,7 +52,8 @@ pub struct Minimum {
     pub ending: Ending,
 }
 
-/// Steps whose falls are classified together.
+/// Steps over which the fall of the value is summed for the test of convergence: long enough that one short step does not
+/// end the search, short enough that a flat one ends soon. Not tuned.
 const WINDOW: usize = 8;
 
 /// An expected fall of this share of the value is lost in rounding.

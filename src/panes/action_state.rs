@@ -134,6 +134,9 @@ pub fn is_on(state: &State, command: &Command) -> Option<bool> {
         Command::Map(MapCommand::SetMapMethod(method)) => {
             discriminant(&document.map.method) == discriminant(method)
         }
+        Command::Map(MapCommand::SetComparison(comparison)) => {
+            document.deformation_map.comparison.name() == comparison.name()
+        }
         Command::Map(MapCommand::SetClassesBy(by)) => document.classes_by() == *by,
         Command::Map(MapCommand::ToggleClusters) => document.shows_clusters,
         Command::Edit(EditCommand::SetRole(_, role)) => {

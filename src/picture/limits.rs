@@ -1,6 +1,6 @@
 //! One fixed colour range for a whole cohort, so that colours mean the same on every heart.
 
-use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::measures::{SubjectMeasures, phases_of};
 use crate::picture::quantity::Quantity;
 use crate::picture::ticks::nice_ceiling;
 use crate::render::ColourLimits;
@@ -89,13 +89,10 @@ impl CohortLimits {
     }
 }
 
-/// The frame that motion is counted from: end-diastole as measured or stated, else the first.
+/// The frame that motion is counted from: end-diastole as stated or measured, else the first.
 pub fn reference_frame(subject: &Subject, measures: Option<&SubjectMeasures>) -> usize {
-    measures
-        .and_then(|measures| measures.end_diastole)
-        .or(subject.end_diastole)
-        .filter(|&frame| frame < subject.sequence.frame_count())
-        .unwrap_or(0)
+    let (end_diastole, _) = phases_of(subject, measures);
+    (end_diastole.filter(|&frame| frame < subject.sequence.frame_count())).unwrap_or(0)
 }
 
 fn displacement_samples(study: &Study, reference_frames: &[usize]) -> Vec<f64> {

@@ -18,6 +18,8 @@ pub enum PatchStanding {
     NoVerdict,
     /// The verdict on the heart is an abnormal patch.
     Abnormal,
+    /// It is a patch of low thickening, which nothing has told to be abnormal.
+    Patch,
     /// It is something else: they are regions of low thickening.
     LowThickening,
 }
@@ -29,6 +31,8 @@ impl PatchStanding {
         match verdict {
             None => Self::NoVerdict,
             Some(Ok(verdict)) if verdict.finding == Finding::Patch => Self::Abnormal,
+            // Default thresholds do not tell what is abnormal.
+            Some(Ok(verdict)) if verdict.finding == Finding::LowThickening => Self::Patch,
             Some(_) => Self::LowThickening,
         }
     }
@@ -37,14 +41,14 @@ impl PatchStanding {
     pub fn look(self) -> PatchLook {
         match self {
             Self::LowThickening => PatchLook::Faint,
-            Self::NoVerdict | Self::Abnormal => PatchLook::Found,
+            Self::NoVerdict | Self::Patch | Self::Abnormal => PatchLook::Found,
         }
     }
 
     /// What one of them is called.
     pub fn part(self) -> &'static str {
         match self {
-            Self::NoVerdict | Self::Abnormal => "Patch",
+            Self::NoVerdict | Self::Patch | Self::Abnormal => "Patch",
             Self::LowThickening => "Region",
         }
     }
@@ -59,6 +63,7 @@ pub fn patch_heading(thickening: &Thickening, standing: PatchStanding) -> String
             let share: f64 = patches.iter().map(|patch| patch.share).sum();
             let [one, more] = match standing {
                 PatchStanding::NoVerdict => ["patch", "patches"],
+                PatchStanding::Patch => ["patch of low thickening", "patches of low thickening"],
                 PatchStanding::Abnormal => ["abnormal patch", "abnormal patches"],
                 PatchStanding::LowThickening => {
                     ["region of low thickening", "regions of low thickening"]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::mesh::{Point3, vertex_normals};
+use crate::mesh::{Point3, vertex_areas, vertex_normals};
 use crate::picture::axes::SubjectAxes;
 use crate::picture::origin::PictureOrigin;
 use crate::picture::quantity::Quantity;
@@ -242,19 +242,6 @@ fn prepared_surface(
         }),
         area_ratio: Arc::new(VertexScalars { values: area_ratio }),
     }
-}
-
-/// A third of the area of the faces around each vertex, in square coordinates.
-fn vertex_areas(vertices: &[Point3], triangles: &[[u32; 3]]) -> Vec<f64> {
-    let mut areas = vec![0.0; vertices.len()];
-    for triangle in triangles {
-        let [a, b, c] = triangle.map(|index| vertices[index as usize]);
-        let third = (b - a).cross(&(c - a)).norm() / 6.0;
-        for &corner in triangle {
-            areas[corner as usize] += third;
-        }
-    }
-    areas
 }
 
 fn prepared_rim(

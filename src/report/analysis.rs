@@ -25,6 +25,8 @@ pub struct AnalysisReport<'a> {
     pub distances: &'a PoseDistances,
     /// How poses are compared, in a sentence.
     pub metric: &'a str,
+    /// What of two beats is compared and how, in a sentence.
+    pub comparison: &'a str,
     /// Pose maps, each with the word for its method.
     pub maps: Vec<(&'static str, &'a Embedding)>,
     /// The deformation map and the classification on it, where there is one.
@@ -75,7 +77,10 @@ impl AnalysisReport<'_> {
         });
         let mut further = Vec::new();
         if let Some((map, classes)) = self.deformations {
-            further.push(("deformations", deformations_json(map)));
+            further.push((
+                "deformations",
+                deformations_json(study, map, self.comparison),
+            ));
             further.push(("classification", classification_json(classes)));
         }
         further.push(("thickening", self.thickening.clone()));

@@ -6,7 +6,7 @@ use super::cell_text::cell_text;
 use super::column::{Column, ColumnWords, column};
 use super::shared;
 use super::table::{Row, TableWords, records};
-use crate::analysis::deformations::DeformationMap;
+use crate::analysis::deformations::{DeformationMap, PartDistances};
 use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::MedialMap;
 use crate::analysis::metrics::{Corners, Form, Regulariser};
@@ -173,6 +173,16 @@ pub struct DeformationRow {
     pub label: Option<String>,
     /// Its place.
     pub place: [Option<f64>; 2],
+    /// The subject that is nearest by the distances that are mapped.
+    pub nearest: Option<String>,
+    /// How far that is.
+    pub distance: Option<f64>,
+    /// Parts of it, before weights.
+    pub deformation: Option<f64>,
+    /// The same of shape.
+    pub shape: Option<f64>,
+    /// Share of shape in both parts, each over its median, in `0.0..=1.0`.
+    pub shape_share: Option<f64>,
 }
 
 impl DeformationRow {
@@ -180,10 +190,25 @@ impl DeformationRow {
     pub fn of_map(study: &Study, map: &DeformationMap) -> Vec<Self> {
         let subjects = map.subjects.iter().enumerate().take(map.embedding.len());
         subjects
-            .map(|(row, &index)| Self {
-                subject: subject_id(study, index),
-                label: study.subjects.get(index).and_then(|s| s.label.clone()),
-                place: place(&map.embedding, row),
+            .map(|(row, &index)| {
+                let near = map.parts.as_ref().and_then(|mapped| {
+                    let others = (0..map.subjects.len()).filter(|other| *other != row);
+                    let apart = |other: &usize| mapped.distances.get(row, *other);
+                    Some((mapped, others.min_by(|a, b| apart(a).total_cmp(&apart(b)))?))
+                });
+                let of = |value: fn(&PartDistances, usize, usize) -> Option<f64>| {
+                    near.and_then(|(mapped, other)| value(&mapped.parts, row, other))
+                };
+                Self {
+                    subject: subject_id(study, index),
+                    label: study.subjects.get(index).and_then(|s| s.label.clone()),
+                    place: place(&map.embedding, row),
+                    nearest: near.map(|(_, other)| subject_id(study, map.subjects[other])),
+                    distance: near.map(|(mapped, other)| mapped.distances.get(row, other)),
+                    deformation: of(|parts, i, j| Some(parts.deformation.get(i, j))),
+                    shape: of(|parts, i, j| Some(parts.shape.get(i, j))),
+                    shape_share: of(PartDistances::shape_share),
+                }
             })
             .collect()
     }
@@ -201,6 +226,27 @@ impl Row for DeformationRow {
                      over the subjects",
         ),
         shared::map_y(|row| row.place[1].into()),
+        column("nearest", "Nearest", |row: &Self| {
+            row.nearest.as_deref().into()
+        })
+        .plain("Pseudonym of the subject with the least distance; empty where curves of poses are compared"),
+        column("distance", "Distance", |row: &Self| row.distance.into()).plain(
+            "Distance to the nearest subject: root of the weighted sum of the squares of both parts, each over its \
+             median over all pairs",
+        ),
+        column("deformation", "Deformation", |row: &Self| {
+            row.deformation.into()
+        })
+        .plain(
+            "Part of that distance by deformation: root mean square over the beat of the norm of differences of \
+             displacements from end-diastole, transported onto one shape",
+        ),
+        column("shape", "Shape", |row: &Self| row.shape.into())
+            .plain("Part of that distance by shape: distance of the end-diastolic poses"),
+        column("shape_share", "Share of shape", |row: &Self| {
+            row.shape_share.into()
+        })
+        .plain("Share of shape in the squared distance to the nearest subject, both parts of equal weight, 0 to 1"),
     ];
 }
 
@@ -280,7 +326,8 @@ mod tests {
         let map = DeformationMap {
             subjects: vec![0],
             curves: vec![vec![[0.0; 3]]],
-            time_weight: 1.0,
+            time_weight: Some(1.0),
+            parts: None,
             embedding: Embedding {
                 dimensions: 2,
                 coordinates: vec![-0.25, 0.1 + 0.2],
@@ -290,7 +337,8 @@ mod tests {
         let table = csv(&DeformationRow::of_map(&study(), &map));
         assert_eq!(
             table,
-            "subject,label,x,y\n\"P, \"\"1\"\"\",MINF,-0.25,0.30000000000000004\n"
+            "subject,label,x,y,nearest,distance,deformation,shape,shape_share\n\
+             \"P, \"\"1\"\"\",MINF,-0.25,0.30000000000000004,,,,,\n"
         );
     }
 

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::column::{Cell, Column, Digits, Unit, column};
 use super::shared;
 use super::table::{Row, json_row};
-use crate::analysis::measures::{PhaseSource, SubjectMeasures, outside_reference};
+use crate::analysis::measures::{ADULT_RANGES, PhaseSource, SubjectMeasures, outside_reference};
 use crate::study::Study;
 use crate::units::LengthUnit;
 
@@ -80,11 +80,7 @@ impl SubjectRow {
         column("outside_range", "Outside adult range", |row: &Self| {
             some(&row.outside_range)
         })
-        .plain(
-            "Measures outside the range of healthy adults of either sex: EF 52–74 % (Lang 2015); EDV 86–214, \
-             ESV 22–82, SV 57–144 ml, mass 56–176 g (Kawel-Boehm 2015), from women's lower to men's upper limit; \
-             empty if none",
-        );
+        .plain(ADULT_RANGES);
 
     /// One row per subject of the study.
     pub fn of_study(study: &Study, measures: &[SubjectMeasures]) -> Vec<Self> {
@@ -201,7 +197,7 @@ pub struct FrameRow {
 
 impl FrameRow {
     /// One row per frame of each subject.
-    pub fn of_study(study: &Study, measures: &[SubjectMeasures]) -> Vec<Self> {
+    pub fn of_frames(study: &Study, measures: &[SubjectMeasures]) -> Vec<Self> {
         let subjects = study.subjects.iter().zip(measures);
         subjects
             .flat_map(|(subject, measured)| {
@@ -278,7 +274,7 @@ mod tests {
         let frames = vec![phantom::sphere(3, 30.0), phantom::sphere(3, 24.0)];
         let study = study(&[("P, \"1\"", "MINF")], frames);
         let measures = measure_study(&study, &Progress::default()).unwrap();
-        let frames = csv(&FrameRow::of_study(&study, &measures));
+        let frames = csv(&FrameRow::of_frames(&study, &measures));
         let mut reader = csv::Reader::from_reader(frames.as_bytes());
         let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
         assert_eq!(rows.len(), 2);

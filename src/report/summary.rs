@@ -48,11 +48,19 @@ pub(super) fn medial_map_json(study: &Study, map: Result<&MedialMap, &str>) -> V
 }
 
 /// How the deformation map is made, and its reconstruction error.
-pub(super) fn deformations_json(map: &DeformationMap) -> Value {
+pub(super) fn deformations_json(study: &Study, map: &DeformationMap, comparison: &str) -> Value {
+    let left_out = map.parts.iter().flat_map(|mapped| &mapped.parts.left_out);
+    let left_out = left_out.map(|left| {
+        let id = study.subjects.get(left.subject).map(|subject| &subject.id);
+        json!({ "subject": id, "reason": left.reason })
+    });
     json!({
+        "compared": comparison,
+        "left_out": left_out.collect::<Vec<Value>>(),
         "count": map.subjects.len(),
         "time_weight": map.time_weight,
         "samples": map.curves.first().map_or(0, Vec::len),
+        "median_shape_share": map.parts.as_ref().and_then(|mapped| mapped.parts.median_shape_share()),
         "neighbours": map.embedding.neighbours,
         "parts": map.embedding.parts,
         "reconstruction_error": map.embedding.reconstruction_error,
@@ -121,17 +129,20 @@ mod tests {
         let map = DeformationMap {
             subjects: vec![0, 2],
             curves: vec![vec![[0.0; 3]; 64]; 2],
-            time_weight: 0.75,
+            time_weight: Some(0.75),
+            parts: None,
             embedding: Embedding {
                 neighbours: Some(5),
                 reconstruction_error: Some(1e-3),
                 ..Embedding::default()
             },
         };
-        let value = deformations_json(&map);
+        let value = deformations_json(&Study::default(), &map, "curves of poses");
         assert_eq!(value["neighbours"], 5);
         assert_eq!(value["reconstruction_error"], 1e-3);
         assert_eq!(value["time_weight"], 0.75);
         assert_eq!(value["samples"], 64);
+        assert_eq!(value["compared"], "curves of poses");
+        assert_eq!(value["median_shape_share"], Value::Null);
     }
 }

@@ -1,6 +1,6 @@
-//! What a subject's label counts as.
+//! What a subject's label counts as: its class.
 
-/// The part a label plays in rules, and its shape and colour in every view.
+/// The class of a label, by which subjects are classified, and its shape and colour in every view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum LabelRole {
     /// A healthy subject: a circle.

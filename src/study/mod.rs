@@ -7,6 +7,7 @@ pub mod checks;
 mod edits;
 mod label;
 mod mesh_sequence;
+mod natural_order;
 mod notice;
 #[expect(
     clippy::module_inception,
@@ -22,6 +23,7 @@ pub use label::{LabelRole, LabelRoles, plain_label};
 pub use mesh_sequence::{
     CorrespondenceKey, MeshSequence, SequenceError, SequenceId, SurfaceKind, SurfaceSequence,
 };
+pub use natural_order::natural_order;
 pub use notice::{Notice, Severity};
 pub use study::{ExcludedSubject, ReadSubject, Revision, Study, UnreadSubject};
 pub use subject::{CoordinateUnit, ShapeKey, Subject};

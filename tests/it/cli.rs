@@ -5,6 +5,8 @@ mod columns;
 #[cfg(test)]
 mod figures;
 #[cfg(test)]
+mod learn;
+#[cfg(test)]
 mod medial;
 #[cfg(test)]
 mod noise_medial;

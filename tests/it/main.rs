@@ -13,6 +13,8 @@ mod golden;
 #[cfg(test)]
 mod medial_noise;
 #[cfg(test)]
+mod motions_and_shapes;
+#[cfg(test)]
 mod obj_by_tobj;
 #[cfg(test)]
 mod opening;
@@ -24,6 +26,8 @@ mod panels;
 mod patches;
 #[cfg(test)]
 mod real_data;
+#[cfg(test)]
+mod real_deformations;
 #[cfg(test)]
 mod real_measures;
 #[cfg(test)]

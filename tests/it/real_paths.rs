@@ -114,7 +114,7 @@ fn the_way_of_a_galloping_horse_does_not_collapse() {
     not(shared_data),
     ignore = "needs the folder shared beside the checkout"
 )]
-fn interpolated_poses_change_a_real_transfer_and_more_of_them_change_it_less() {
+fn interpolated_poses_change_a_real_transport_and_more_of_them_change_it_less() {
     let endocardium = |folder| surface(shared_data(folder), SurfaceKind::Endocardium);
     let from = endocardium("cine_mri/bivme_patient1");
     let onto = endocardium("cine_mri/bivme_testpatient2_EDES");

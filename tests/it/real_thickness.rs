@@ -11,10 +11,10 @@ use std::collections::HashMap;
 
 use cardiomorph::analysis::measures::measure_subject;
 use cardiomorph::analysis::medial::{MedialBeat, MedialParams, medial_beat};
-use cardiomorph::analysis::segments::{Level, level, level_means, long_axis, vertex_areas};
+use cardiomorph::analysis::segments::{Level, level, level_means, long_axis};
 use cardiomorph::analysis::thickening::{HalfBeat, phases};
 use cardiomorph::analysis::thickness_methods::mean_wall_thickness;
-use cardiomorph::mesh::Point3;
+use cardiomorph::mesh::{Point3, vertex_areas};
 use cardiomorph::progress::Progress;
 use cardiomorph::study::Subject;
 

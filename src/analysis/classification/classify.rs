@@ -11,11 +11,12 @@ use crate::progress::{Progress, Stopped};
 
 use super::linear_classifier::{LinearClassifier, Scratch, labelled_rows};
 use super::nearest::NearestCases;
+use super::nested_classifier::NestedClassifier;
 use super::{Accuracy, Classes, k_means, tau};
 
-/// Coordinates of the classical scaling that the linear classifier sees at most: enough for what varies in a
-/// beat, few enough for cohorts of some dozens.
-pub const MAX_COMPONENTS: usize = 10;
+/// Coordinates of the classical scaling that the linear classifier sees at most: 25, of which it takes as many as do best
+/// without the case that is told.
+pub const MAX_COMPONENTS: usize = 25;
 /// Share of the largest eigenvalue below which a coordinate is round-off.
 const MIN_COMPONENT: f64 = 1e-9;
 /// Coordinates from here on are refused: their squares would not be numbers.
@@ -131,7 +132,8 @@ pub enum ClassifyError {
 /// and otherwise left out. Clusters are those of [`k_means()`](super::k_means()) in the plane, τ is by the best match
 /// ([`tau()`]), the nearest neighbour is by the distances ([`leave_one_out_nearest`](super::leave_one_out_nearest)). The linear classifier on the
 /// distances is [`leave_one_out_linear`](super::leave_one_out_linear) on the leading coordinates of their classical scaling: at
-/// most [`MAX_COMPONENTS`], and fewer than half the cases; the one in the plane takes the map as it is.
+/// most [`MAX_COMPONENTS`], and fewer than half the cases; how many, 5, 10, … of them, is chosen for each fifth of the
+/// cases by the other four, so that the own label of a case has no say in it. The one in the plane takes the map as it is.
 /// Both see coordinates made from all cases, though of no label: the baseline does, too.
 ///
 /// The baseline of each: the mean accuracy over permutations of the labels, and how many of
@@ -223,7 +225,7 @@ fn named(labels: &[Option<&str>]) -> (Vec<String>, Vec<Option<usize>>) {
 struct Criteria {
     clusters: Vec<usize>,
     nearest: NearestCases,
-    linear: LinearClassifier,
+    linear: NestedClassifier,
     in_plane: LinearClassifier,
     classes: Vec<usize>,
 }
@@ -257,7 +259,7 @@ impl Criteria {
                 .map(|&row| classes.clustering.clusters[row])
                 .collect(),
             nearest: NearestCases::new(distances, &rows),
-            linear: LinearClassifier::new(&components, width, shrinkage),
+            linear: NestedClassifier::new(&components, width, shrinkage),
             in_plane: LinearClassifier::new(&in_plane, plane.dimensions, shrinkage),
             classes: own,
         })

@@ -41,10 +41,22 @@ impl LinearClassifier {
     /// The scatter S and the mean of the case's own class, of m cases, without it are exact:
     /// S − m/(m−1) d dᵀ and m̄ − d/(m−1), d = x − m̄. So nothing is summed anew for each case.
     pub(super) fn correct(&self, classes: &[usize], scratch: &mut Scratch) -> usize {
+        let right = self.right_cases(classes, 1, scratch);
+        right.iter().filter(|right| **right).count()
+    }
+
+    /// Of every so many cases whether it is classified correctly, each left out in turn.
+    pub(super) fn right_cases(
+        &self,
+        classes: &[usize],
+        step: usize,
+        scratch: &mut Scratch,
+    ) -> Vec<bool> {
         self.gather(classes, scratch);
         (0..classes.len())
-            .filter(|&case| self.right(case, classes[case], scratch))
-            .count()
+            .step_by(step)
+            .map(|case| self.right(case, classes[case], scratch))
+            .collect()
     }
 
     /// Means of classes, and the scatter of all cases around those of their own.

@@ -5,6 +5,7 @@ mod k_means;
 mod linear_classifier;
 mod matching;
 mod nearest;
+mod nested_classifier;
 mod result;
 
 pub use classify::{

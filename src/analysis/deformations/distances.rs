@@ -1,6 +1,11 @@
 //! How far is every whole deformation from every other?
 
-use crate::analysis::pose_distances::{DistanceMatrix, PoseDistances};
+use std::collections::HashMap;
+
+use crate::analysis::pose_distances::{
+    CheckedPoseDistanceParams, DistanceMatrix, PoseDistanceError, PoseDistances, PoseId,
+    pose_distances_where,
+};
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
@@ -53,6 +58,37 @@ pub fn deformation_distances(
         distances: DistanceMatrix::from_upper(beats.len(), upper)
             .unwrap_or_else(DistanceMatrix::empty),
     })
+}
+
+/// [`deformation_distances`] where distances of poses are asked for nothing else: if all subjects have their frames at equal
+/// phases, only poses at equal phases are compared.
+///
+/// # Errors
+/// As [`pose_distances`](crate::analysis::pose_distances::pose_distances).
+pub fn distances_at_equal_phases(
+    study: &Study,
+    params: &CheckedPoseDistanceParams,
+    progress: &Progress,
+) -> Result<DeformationDistances, PoseDistanceError> {
+    let all: Vec<PoseId> = (study.subjects.iter().enumerate())
+        .flat_map(|(subject, found)| {
+            (0..found.sequence.frame_count()).map(move |frame| PoseId { subject, frame })
+        })
+        .collect();
+    let beats = beats(study, &all);
+    let even = beats.windows(2).all(|pair| pair[0].times == pair[1].times);
+    let mut step_of: HashMap<PoseId, usize> = HashMap::new();
+    for beat in &beats {
+        step_of.extend(
+            beat.rows
+                .iter()
+                .enumerate()
+                .map(|(step, row)| (all[*row], step)),
+        );
+    }
+    let needed = |a: PoseId, b: PoseId| !even || step_of.get(&a) == step_of.get(&b);
+    let poses = pose_distances_where(study, params, &needed, progress)?;
+    Ok(deformation_distances(study, &poses, progress)?)
 }
 
 /// Mean of d² over the frames of the first.

@@ -1,13 +1,19 @@
 //! From the pose map to the map of whole deformations.
 
-use crate::analysis::embedding::{Embedding, EmbeddingError, LleParamError, LleParams, lle};
-use crate::analysis::pose_distances::PoseId;
+use std::sync::Arc;
+
+use crate::analysis::embedding::{
+    Embedding, EmbeddingError, LleParamError, LleParams, classical_mds, lle,
+};
+use crate::analysis::pose_distances::{DistanceMatrix, PoseId};
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
 use super::beats::{Beat, beats};
-use super::params::default_neighbours;
-use super::{CheckedDeformationMapParams, DeformationMap, resampled};
+use super::params::{default_neighbours, neighbours_of_curves};
+use super::{
+    CheckedDeformationMapParams, DeformationMap, MappedParts, PartDistances, PartWeights, resampled,
+};
 
 /// The map is a plane.
 const DIMENSIONS: usize = 2;
@@ -55,7 +61,52 @@ impl From<EmbeddingError> for DeformationMapError {
     }
 }
 
-/// The map of whole deformations: one point per subject.
+/// Axes of the space that neighbourhoods are looked up in; what further ones hold is noise.
+const MAX_AXES: usize = 64;
+
+/// The map of distances of whole deformations: one point per row, by locally linear embedding ([`lle()`]) of the space in
+/// which the distances are Euclidean (classical scaling of all axes that are not zero, at most 64).
+///
+/// Settings that ask for more neighbours than there are other rows get all of them; how many were used stands in the result.
+///
+/// # Errors
+/// If stopped, there are fewer than [`FEWEST_DEFORMATIONS`] rows, or the embedding fails.
+pub fn map_of_distances(
+    distances: &DistanceMatrix,
+    params: &CheckedDeformationMapParams,
+    progress: &Progress,
+) -> Result<Embedding, DeformationMapError> {
+    let count = distances.size();
+    refuse_too_few(count)?;
+    let space = classical_mds(distances, MAX_AXES.min(count - 1), progress)?;
+    let settings = embedding_params(params, count, default_neighbours).check()?;
+    Ok(lle(&space.coordinates, count, &settings, progress)?)
+}
+
+/// [`map_of_distances`] of both parts with these weights.
+///
+/// # Errors
+/// As [`map_of_distances`].
+pub fn map_of_parts(
+    parts: &Arc<PartDistances>,
+    weights: PartWeights,
+    params: &CheckedDeformationMapParams,
+    progress: &Progress,
+) -> Result<DeformationMap, DeformationMapError> {
+    let distances = parts.weighted(weights);
+    Ok(DeformationMap {
+        subjects: parts.subjects.clone(),
+        embedding: map_of_distances(&distances, params, progress)?,
+        curves: Vec::new(),
+        time_weight: None,
+        parts: Some(MappedParts {
+            distances,
+            parts: Arc::clone(parts),
+        }),
+    })
+}
+
+/// The map of curves of poses: one point per subject.
 ///
 /// 1. **Curves.** The poses of each subject on their map, from end-diastole to the end-diastole of the
 ///    next beat, with the share t of the beat as third coordinate: (x, y, w t). Without a typed w,
@@ -84,11 +135,7 @@ pub fn deformation_map(
     }
     let beats = beats(study, poses);
     let count = beats.len();
-    if count < FEWEST_DEFORMATIONS {
-        return Err(DeformationMapError::TooFew {
-            deformations: count,
-        });
-    }
+    refuse_too_few(count)?;
     // Without this the axis with the larger numbers would decide the arc length alone.
     let time_weight = (params.time_weight).unwrap_or_else(|| balancing_weight(&beats, map));
     let curves: Vec<Vec<[f64; 3]>> = (beats.iter())
@@ -98,20 +145,36 @@ pub fn deformation_map(
             Ok(resampled(&curve, usize::from(params.samples)))
         })
         .collect::<Result<_, Stopped>>()?;
-    let neighbours = params.neighbours.map(usize::from);
-    let lle_params = LleParams {
-        // A deformation cannot be put together from itself.
-        neighbours: (neighbours.unwrap_or_else(|| default_neighbours(count))).min(count - 1),
-        regularisation: params.regularisation,
-        dimensions: DIMENSIONS,
-    };
+    let settings = embedding_params(params, count, neighbours_of_curves);
     let vectors: Vec<f64> = curves.iter().flatten().flatten().copied().collect();
     Ok(DeformationMap {
         subjects: beats.iter().map(|beat| beat.subject).collect(),
-        embedding: lle(&vectors, count, &lle_params.check()?, progress)?,
+        embedding: lle(&vectors, count, &settings.check()?, progress)?,
         curves,
-        time_weight,
+        time_weight: Some(time_weight),
+        parts: None,
     })
+}
+
+fn refuse_too_few(deformations: usize) -> Result<(), DeformationMapError> {
+    if deformations < FEWEST_DEFORMATIONS {
+        return Err(DeformationMapError::TooFew { deformations });
+    }
+    Ok(())
+}
+
+fn embedding_params(
+    params: &CheckedDeformationMapParams,
+    deformations: usize,
+    by_default: fn(usize) -> usize,
+) -> LleParams {
+    let neighbours = params.neighbours.map(usize::from);
+    LleParams {
+        // A deformation cannot be put together from itself.
+        neighbours: (neighbours.unwrap_or_else(|| by_default(deformations))).min(deformations - 1),
+        regularisation: params.regularisation,
+        dimensions: DIMENSIONS,
+    }
 }
 
 /// (x, y, w t) of the poses of a beat and, at t = 1, of its first pose again.

@@ -10,16 +10,22 @@ mod beats;
 mod curve;
 mod distances;
 mod map;
+mod motions;
 mod params;
+mod part_distances;
 mod result;
 
 pub use curve::resampled;
-pub use distances::{DeformationDistances, deformation_distances};
-pub use map::{DeformationMapError, FEWEST_DEFORMATIONS, deformation_map};
-pub use params::{
-    CheckedDeformationMapParams, DeformationMapParams, DeformationParamError, default_neighbours,
+pub use distances::{DeformationDistances, deformation_distances, distances_at_equal_phases};
+pub use map::{
+    DeformationMapError, FEWEST_DEFORMATIONS, deformation_map, map_of_distances, map_of_parts,
 };
-pub use result::DeformationMap;
+pub use params::{
+    CheckedDeformationMapParams, Comparison, DeformationMapParams, DeformationParamError,
+    PartWeights, default_neighbours,
+};
+pub use part_distances::{CheckedPartParams, PartDistances, PartParams, part_distances};
+pub use result::{DeformationMap, MappedParts};
 
 #[cfg(test)]
 mod tests;

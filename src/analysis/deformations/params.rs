@@ -1,10 +1,78 @@
 //! Settings of the map of whole deformations.
 
 use crate::analysis::embedding::{LleParamError, LleParams};
+use crate::analysis::pose_distances::{PoseDistanceParamError, PoseDistanceParams};
+
+/// How much each part of a distance of two beats counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PartWeights {
+    /// Of motion relative to the own end-diastole.
+    pub deformation: f64,
+    /// Of the end-diastolic shape.
+    pub shape: f64,
+}
+
+impl PartWeights {
+    /// How hearts deform, whatever their shape.
+    pub const DEFORMATION: Self = Self {
+        deformation: 1.0,
+        shape: 0.0,
+    };
+    /// Both alike.
+    pub const BOTH: Self = Self {
+        deformation: 1.0,
+        shape: 1.0,
+    };
+    /// How hearts are shaped at end-diastole, whatever they do.
+    pub const SHAPE: Self = Self {
+        deformation: 0.0,
+        shape: 1.0,
+    };
+}
+
+/// What of two beats is compared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Comparison {
+    /// Deformation and shape apart, see [`super::PartDistances::weighted`]; the map is made of the distances.
+    Parts(PartWeights),
+    /// Poses at equal phases, in which both are mixed: the map is made of curves on the pose map, as in the text.
+    Poses,
+}
+
+impl Comparison {
+    /// Those with a name, the default first.
+    pub const NAMED: [Self; 4] = [
+        Self::Parts(PartWeights::DEFORMATION),
+        Self::Parts(PartWeights::BOTH),
+        Self::Parts(PartWeights::SHAPE),
+        Self::Poses,
+    ];
+
+    /// What is compared, in a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Parts(weights) if weights.shape <= 0.0 => "deformation",
+            Self::Parts(weights) if weights.deformation <= 0.0 => "shape",
+            Self::Parts(_) => "deformation + shape",
+            Self::Poses => "curves of poses",
+        }
+    }
+}
+
+impl Default for Comparison {
+    fn default() -> Self {
+        Self::Parts(PartWeights::DEFORMATION)
+    }
+}
 
 /// Settings of the deformation map; [`DeformationMapParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeformationMapParams {
+    /// What of two beats is compared.
+    pub comparison: Comparison,
+    /// Radius, in shares of the square root of a surface's area, below which poses are smoothed before deformations are
+    /// compared; that of the pose map counts for shapes and where poses are compared.
+    pub smoothing: f64,
     /// Weight w of time in the curves (x, y, w t), t the share of the beat. `None`: the root mean
     /// square radius of all poses on their map over the standard deviation of their t, so that place
     /// and time count alike. 0 leaves time out.
@@ -23,6 +91,8 @@ impl Default for DeformationMapParams {
     /// against the steps between frames.
     fn default() -> Self {
         Self {
+            comparison: Comparison::default(),
+            smoothing: 0.0,
             time_weight: None,
             samples: 64,
             neighbours: None,
@@ -31,7 +101,16 @@ impl Default for DeformationMapParams {
     }
 }
 
-/// Neighbours from which a deformation is put together where nothing is typed: half of the
+/// Neighbours from which a deformation is put together on a map of distances where nothing is typed: a tenth of the
+/// deformations, at least 8 and at most 12, and less than all.
+pub fn default_neighbours(deformations: usize) -> usize {
+    // One fewer than all: a deformation is no neighbour of itself.
+    (deformations / 10)
+        .clamp(8, 12)
+        .min(deformations.saturating_sub(1))
+}
+
+/// The same on a map of curves: half of the
 /// deformations, at least 4 and less than all, so that no class of up to half of them finds all its
 /// neighbours within itself.
 ///
@@ -48,7 +127,7 @@ impl Default for DeformationMapParams {
 /// |---|---|---|---|---|---|---|---|---|---|---|
 /// | SMACOF | 11 | 15 | 16 | 20 | 18 | 19 | 18 | 18 | 18 | 20 |
 /// | classical MDS | 20 | 20 | 19 | 18 | 21 | 20 | 20 | 21 | 21 | 21 |
-pub fn default_neighbours(deformations: usize) -> usize {
+pub(super) fn neighbours_of_curves(deformations: usize) -> usize {
     // Half of them reach beyond any class of up to half.
     let half = deformations.div_ceil(2).max(4);
     // One fewer than all: a deformation is no neighbour of itself.
@@ -79,6 +158,16 @@ impl DeformationMapParams {
     /// # Errors
     /// If a weight or a count is out of range.
     pub fn check(self) -> Result<CheckedDeformationMapParams, DeformationParamError> {
+        if let Comparison::Parts(PartWeights { deformation, shape }) = self.comparison {
+            for weight in [deformation, shape] {
+                if !(weight.is_finite() && weight >= 0.0) {
+                    return Err(DeformationParamError::PartWeight(weight));
+                }
+            }
+            if deformation + shape <= 0.0 {
+                return Err(DeformationParamError::NoPart);
+            }
+        }
         let weight = self.time_weight.unwrap_or(0.0);
         if !(weight.is_finite() && weight >= 0.0) {
             return Err(DeformationParamError::TimeWeight(weight));
@@ -97,13 +186,27 @@ impl DeformationMapParams {
             ..LleParams::default()
         };
         embedding.check()?;
+        let smoothing = PoseDistanceParams {
+            smoothing: self.smoothing,
+            ..PoseDistanceParams::default()
+        };
+        smoothing.check()?;
         Ok(CheckedDeformationMapParams(self))
     }
 }
 
 /// Why settings cannot be used.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DeformationParamError {
+    /// The radius of smoothing is out of range.
+    #[error(transparent)]
+    Smoothing(#[from] PoseDistanceParamError),
+    /// The weight of a part is negative or not a number.
+    #[error("weights of deformation and shape must be zero or positive and finite, not {0}")]
+    PartWeight(f64),
+    /// Nothing is compared.
+    #[error("one of the weights of deformation and shape must be above zero")]
+    NoPart,
     /// The weight of time is negative or not a number.
     #[error("the weight of time must be zero or positive and finite, not {0}")]
     TimeWeight(f64),

@@ -20,7 +20,7 @@ pub(super) fn in_moderate_unit(
     let moderate = distances.upper().iter().map(|d| d / unit).collect();
     let moderate =
         DistanceMatrix::from_upper(distances.size(), moderate).ok_or(EmbeddingError::TooLarge)?;
-    told_in(unit, map(&moderate)?)
+    back_in(unit, map(&moderate)?)
 }
 
 /// A map whose items were divided by `unit`, in the unit of the items. Eigenvalues and errors count squares of
@@ -28,7 +28,7 @@ pub(super) fn in_moderate_unit(
 ///
 /// # Errors
 /// If a coordinate is beyond the largest number.
-pub(super) fn told_in(unit: f64, mut map: Embedding) -> Result<Embedding, EmbeddingError> {
+pub(super) fn back_in(unit: f64, mut map: Embedding) -> Result<Embedding, EmbeddingError> {
     if unit == 1.0 {
         return Ok(map);
     }
@@ -157,7 +157,7 @@ mod tests {
             ..Embedding::default()
         };
         assert_eq!(
-            told_in(2.0_f64.powi(1023), grown),
+            back_in(2.0_f64.powi(1023), grown),
             Err(EmbeddingError::TooLarge)
         );
     }

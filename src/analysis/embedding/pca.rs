@@ -3,7 +3,7 @@
 use crate::numeric::{moderate_unit, symmetric_eigen};
 use crate::progress::Progress;
 
-use super::moderate::told_in;
+use super::moderate::back_in;
 use super::orientation::oriented;
 use super::{Embedding, EmbeddingError};
 
@@ -41,7 +41,7 @@ pub fn pca(
         return components(points, items, width, dimensions, progress);
     }
     let moderate: Vec<f64> = points.iter().map(|x| x / unit).collect();
-    told_in(
+    back_in(
         unit,
         components(&moderate, items, width, dimensions, progress)?,
     )

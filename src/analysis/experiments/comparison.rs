@@ -1,13 +1,13 @@
 //! One table: every metric and form on a labelled study and on its noisy copies, beside EF alone and
-//! plain displacement.
+//! displacement.
 
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use crate::analysis::classification::{Accuracy, Classes, ClassesParams, classify};
-use crate::analysis::deformations::DeformationMapParams;
-use crate::analysis::embedding::{Embedding, MapMethod};
+use crate::analysis::deformations::{DeformationMapParams, map_of_distances};
+use crate::analysis::embedding::Embedding;
 use crate::analysis::measures::measure_study;
 use crate::analysis::metrics::{METRICS, MetricParams};
 use crate::analysis::pose_distances::{DistanceMatrix, PoseDistanceParams};
@@ -30,9 +30,7 @@ pub struct MetricComparisonParams {
     pub family: NoiseFamily,
     /// Noisy copies at each level above 0.
     pub redraws: u16,
-    /// How pose distances become a plane.
-    pub map: MapMethod,
-    /// How curves become a plane.
+    /// How distances become a plane.
     pub deformations: DeformationMapParams,
     /// Settings of the classifiers.
     pub classes: ClassesParams,
@@ -41,33 +39,38 @@ pub struct MetricComparisonParams {
 }
 
 impl MetricComparisonParams {
-    /// All kinds and forms with the default smoothing and this transport, and plain displacement as
-    /// it is; 0, 1, 2.5 and 5 % of Gaussian noise, three copies each.
+    /// Poses by all kinds and forms with the default smoothing and this transport, and by Procrustes distance as they are;
+    /// displacement from end-diastole, deformation, and deformation with shape; 0, 1, 2.5 and 5 % of Gaussian noise, three copies each.
     pub fn all_metrics(transport: Option<CohortTransportParams>) -> Self {
         let methods = METRICS.into_iter().flat_map(|kind| {
-            kind.words().forms.iter().map(move |&(name, form)| Method {
-                name,
-                distances: PoseDistanceParams {
-                    metric: MetricParams {
-                        kind,
-                        form,
-                        ..MetricParams::default()
-                    },
+            kind.words().forms.iter().map(move |&(name, form)| {
+                let metric = MetricParams {
+                    kind,
+                    form,
+                    ..MetricParams::default()
+                };
+                let poses = PoseDistanceParams {
+                    metric,
                     transport,
                     ..PoseDistanceParams::default()
-                },
+                };
+                Method::of_poses(name, poses)
             })
         });
-        let plain = Method {
-            name: "plain displacement",
-            ..Method::procrustes()
-        };
+        let beside = [
+            Method {
+                name: "Procrustes of poses",
+                ..Method::procrustes()
+            },
+            Method::displacement(),
+            Method::deformation(),
+            Method::deformation_and_shape(),
+        ];
         Self {
-            methods: methods.chain([plain]).collect(),
+            methods: methods.chain(beside).collect(),
             percents: vec![0.0, 1.0, 2.5, 5.0],
             family: NoiseFamily::Gaussian,
             redraws: 3,
-            map: MapMethod::default(),
             deformations: DeformationMapParams::default(),
             classes: ClassesParams {
                 permutations: 200,
@@ -230,12 +233,13 @@ fn by_method(
     params: &MetricComparisonParams,
     progress: &Progress,
 ) -> Result<Classes, ExperimentError> {
-    let whole = method.compared(study, params.map, &params.deformations, progress)?;
+    let whole = method.whole(study, progress)?;
+    let plane = map_of_distances(&whole.distances, &params.deformations.check()?, progress)?;
     let labels = labels_of(study, &whole.subjects);
     let classes = params.classes.check()?;
     Ok(classify(
         &whole.distances,
-        &whole.plane,
+        &plane,
         &labels,
         &classes,
         progress,

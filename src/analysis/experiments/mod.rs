@@ -2,7 +2,7 @@
 
 mod comparison;
 mod error;
-mod interpolation_study;
+mod interpolation_experiment;
 mod localisation;
 mod medial_methods;
 #[cfg(test)]
@@ -26,14 +26,15 @@ mod sheets;
 mod synthetic;
 #[cfg(test)]
 mod tests;
-mod transport_study;
+mod transport_experiment;
 
 pub use comparison::{
     ComparisonRow, MeanAccuracy, MetricComparison, MetricComparisonParams, metric_comparison,
 };
 pub use error::ExperimentError;
-pub use interpolation_study::{
-    InterpolationCase, InterpolationStudy, InterpolationStudyParams, interpolation_study,
+pub use interpolation_experiment::{
+    InterpolationCase, InterpolationExperiment, InterpolationExperimentParams,
+    interpolation_experiment,
 };
 pub use localisation::{LocalisationParams, LocalisationRow, MeanAndError, localisation};
 pub use medial_methods::MedialMethod;
@@ -54,4 +55,6 @@ pub use partners::{
 pub use pipeline::Method;
 pub use sheets::{Sheet, SheetParams, sheet};
 pub use synthetic::{Deformation, SyntheticCohort, SyntheticParams, synthetic_cohort};
-pub use transport_study::{TransportCase, TransportStudy, TransportStudyParams, transport_study};
+pub use transport_experiment::{
+    TransportCase, TransportExperiment, TransportExperimentParams, transport_experiment,
+};

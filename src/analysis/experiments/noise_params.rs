@@ -1,6 +1,6 @@
 //! Settings of the study of noise on deformations, and what one draw of it yields.
 
-use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::deformations::{Comparison, DeformationMapParams};
 use crate::analysis::embedding::MapMethod;
 
 use super::{ExperimentError, Method, NoiseFamily, NoiseReference, ObjectKind, SyntheticParams};
@@ -54,7 +54,10 @@ impl Default for NoiseDeformationParams {
                 Method::procrustes_smoothed(),
             ],
             map: MapMethod::default(),
-            deformations: DeformationMapParams::default(),
+            deformations: DeformationMapParams {
+                comparison: Comparison::Poses,
+                ..DeformationMapParams::default()
+            },
             restarts: 50,
             permutations: 100,
             seed: 1,

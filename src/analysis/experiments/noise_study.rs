@@ -105,7 +105,7 @@ pub(super) fn classified(
     seed: u64,
     progress: &Progress,
 ) -> Result<Draw, ExperimentError> {
-    let whole = method.compared(study, params.map, &params.deformations, progress)?;
+    let whole = method.curves_compared(study, params.map, &params.deformations, progress)?;
     // Rows are the subjects that could be compared, in their order.
     let labels: Vec<Option<usize>> = whole.subjects.iter().map(|&s| labels[s]).collect();
     let clusters = k_means(

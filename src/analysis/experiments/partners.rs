@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 
 use crate::analysis::alignment::comparable_subjects;
-use crate::analysis::deformations::{DeformationDistances, deformation_distances};
-use crate::analysis::pose_distances::{PoseDistanceParams, pose_distances};
+use crate::analysis::deformations::{Comparison, DeformationDistances};
+use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::analysis::transport::CohortTransportParams;
 use crate::progress::Progress;
 use crate::study::Study;
@@ -36,9 +36,9 @@ pub struct PartnerParams {
 }
 
 impl PartnerParams {
-    /// All kinds and forms, plain displacement and the default without smoothing; as they are, transported
+    /// All kinds and forms, Procrustes of poses and the default without smoothing; as they are, transported
     /// onto the mean along geodesics or linear interpolation as given, and with one motion for all. As they are
-    /// also what smoothing, area weights and λ bring.
+    /// also what smoothing, area weights and λ bring, and deformations with and without shape.
     pub fn all_metrics(transport: CohortTransportParams) -> Self {
         // Without poses in between the path is the straight line: what geodesics add shows against it.
         let straight = CohortTransportParams {
@@ -58,8 +58,13 @@ impl PartnerParams {
                 smoothing,
                 ..printed.distances
             },
+            ..printed
         };
-        let mut methods = MetricComparisonParams::all_metrics(None).methods;
+        let all = MetricComparisonParams::all_metrics(None).methods;
+        // Deformations are transported anyway: they stand once.
+        let (mut methods, parts): (Vec<Method>, Vec<Method>) = all
+            .into_iter()
+            .partition(|method| method.comparison == Comparison::Poses);
         methods.push(Method::default_unsmoothed());
         Self {
             methods,
@@ -70,9 +75,9 @@ impl PartnerParams {
                 option("same motion for all, none", None, true),
                 option("same motion for all, geodesics", Some(transport), true),
             ],
-            untransported: vec![
+            untransported: [
                 Method {
-                    name: "plain displacement, smoothed",
+                    name: "Procrustes of poses, smoothed",
                     ..Method::procrustes_smoothed()
                 },
                 smoothed,
@@ -80,7 +85,10 @@ impl PartnerParams {
                     name: "printed, raw corners, unweighted, not smoothed",
                     ..printed
                 },
-            ],
+            ]
+            .into_iter()
+            .chain(parts)
+            .collect(),
         }
     }
 }
@@ -169,13 +177,10 @@ pub fn partner_study(
             } else {
                 study
             };
-            let distances = PoseDistanceParams {
-                transport: option.transport,
-                ..method.distances
-            };
-            let within = progress.within();
-            let poses = pose_distances(study, &distances.check()?, &within)?;
-            let whole = deformation_distances(study, &poses, &within)?;
+            let mut method = *method;
+            // Methods with a transport of their own keep it.
+            method.distances.transport = option.transport.or(method.distances.transport);
+            let whole = method.whole(study, &progress.within())?;
             let ids = ids_of(study, &whole.subjects);
             refuse_without_partners(&ids)?;
             progress.step()?;

@@ -1,9 +1,13 @@
 //! The whole way from a study to whole deformations: distances of poses, their map, curves, the plane.
 
-use crate::analysis::deformations::{DeformationMapParams, deformation_distances, deformation_map};
+use crate::analysis::deformations::{
+    Comparison, DeformationDistances, DeformationMapParams, PartDistances, PartParams, PartWeights,
+    deformation_distances, deformation_map, distances_at_equal_phases, part_distances,
+};
 use crate::analysis::embedding::{Embedding, MapMethod, embed};
 use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::{DistanceMatrix, PoseDistanceParams, pose_distances};
+use crate::analysis::transport::CohortTransportParams;
 use crate::progress::Progress;
 use crate::study::Study;
 
@@ -16,6 +20,10 @@ pub struct Method {
     pub name: &'static str,
     /// How poses are compared.
     pub distances: PoseDistanceParams,
+    /// What of two beats is compared.
+    pub comparison: Comparison,
+    /// Smoothing of poses of which deformations are compared.
+    pub deformation_smoothing: f64,
 }
 
 /// Whole deformations of a study.
@@ -32,8 +40,8 @@ pub(super) struct Compared {
 const PLANE: usize = 2;
 
 impl Method {
-    /// Takes a study through all of it: `map` lays out poses, `plane` whole deformations.
-    pub(super) fn compared(
+    /// Takes a study through all of it with curves of poses, as in the text: `map` lays out poses, `plane` their curves.
+    pub(super) fn curves_compared(
         &self,
         study: &Study,
         map: MapMethod,
@@ -52,11 +60,85 @@ impl Method {
         })
     }
 
-    /// The settings that the program starts with.
-    pub fn default_metric() -> Self {
+    /// Distances of whole deformations, without a map.
+    pub(super) fn whole(
+        &self,
+        study: &Study,
+        progress: &Progress,
+    ) -> Result<DeformationDistances, ExperimentError> {
+        if let Comparison::Parts(weights) = self.comparison {
+            let parts = self.parts(study, progress)?;
+            return Ok(DeformationDistances {
+                distances: parts.weighted(weights),
+                subjects: parts.subjects,
+            });
+        }
+        Ok(distances_at_equal_phases(
+            study,
+            &self.distances.check()?,
+            progress,
+        )?)
+    }
+
+    /// Both parts, of which [`Method::whole`] takes what is compared.
+    fn parts(&self, study: &Study, progress: &Progress) -> Result<PartDistances, ExperimentError> {
+        let params = PartParams::like(&self.distances, self.deformation_smoothing);
+        Ok(part_distances(study, &params.check()?, progress)?)
+    }
+
+    /// Curves of poses by these distances.
+    pub fn of_poses(name: &'static str, distances: PoseDistanceParams) -> Self {
         Self {
-            name: "default",
-            distances: PoseDistanceParams::default(),
+            name,
+            distances,
+            comparison: Comparison::Poses,
+            deformation_smoothing: DeformationMapParams::default().smoothing,
+        }
+    }
+
+    /// Curves of poses by the metric that the program starts with.
+    pub fn default_metric() -> Self {
+        Self::of_poses("default", PoseDistanceParams::default())
+    }
+
+    /// Motion relative to the own end-diastole, by the default metric.
+    pub fn deformation() -> Self {
+        Self {
+            name: "deformation",
+            comparison: Comparison::Parts(PartWeights::DEFORMATION),
+            ..Self::default_metric()
+        }
+    }
+
+    /// The same with end-diastolic shape.
+    pub fn deformation_and_shape() -> Self {
+        Self {
+            name: "deformation + shape",
+            comparison: Comparison::Parts(PartWeights::BOTH),
+            ..Self::default_metric()
+        }
+    }
+
+    /// Displacement of vertices from end-diastole after rigid alignment of the end-diastolic poses, sizes normalised: what a
+    /// comparison of motions without any metric or transport of its own would use. In the rigid metric with all vertices of
+    /// equal weight a transport along the straight line changes no displacement.
+    pub fn displacement() -> Self {
+        let rigid = Self::procrustes();
+        Self {
+            name: "displacement from end-diastole",
+            distances: PoseDistanceParams {
+                metric: MetricParams {
+                    area_weights: false,
+                    ..rigid.distances.metric
+                },
+                transport: Some(CohortTransportParams {
+                    interpolated_poses: 0,
+                    ..CohortTransportParams::default()
+                }),
+                ..rigid.distances
+            },
+            comparison: Comparison::Parts(PartWeights::DEFORMATION),
+            deformation_smoothing: 0.0,
         }
     }
 
@@ -68,10 +150,7 @@ impl Method {
             lambda: 0.0,
             ..MetricParams::default()
         };
-        Self {
-            name: "plain Procrustes",
-            distances: unsmoothed(rigid),
-        }
+        Self::of_poses("plain Procrustes", unsmoothed(rigid))
     }
 
     /// Equation 3.5 as printed: raw corners, absolute values, sums over faces, nothing smoothed.
@@ -83,18 +162,12 @@ impl Method {
             lambda: 0.0,
             ..MetricParams::default()
         };
-        Self {
-            name: "printed",
-            distances: unsmoothed(printed),
-        }
+        Self::of_poses("printed", unsmoothed(printed))
     }
 
     /// The default metric without smoothing: what smoothing brings.
     pub fn default_unsmoothed() -> Self {
-        Self {
-            name: "default, not smoothed",
-            distances: unsmoothed(MetricParams::default()),
-        }
+        Self::of_poses("default, not smoothed", unsmoothed(MetricParams::default()))
     }
 
     /// Plain Procrustes with the default smoothing: what the metric brings.
@@ -105,6 +178,7 @@ impl Method {
                 smoothing: PoseDistanceParams::default().smoothing,
                 ..Self::procrustes().distances
             },
+            ..Self::procrustes()
         }
     }
 }

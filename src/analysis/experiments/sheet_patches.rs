@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::{Point3, Vector3, vertex_areas};
 
 /// Half the width of the border of a patch in radians of the hemisphere, some 3 mm, and its most as a share of the radius.
 const HALF_BORDER_RAD: f64 = 0.08;
@@ -92,17 +92,9 @@ pub(super) fn regular_areas(
     triangles: &[[u32; 3]],
     regular: &[bool],
 ) -> Vec<f64> {
-    let mut areas = vec![0.0; points.len()];
-    for triangle in triangles {
-        let corners = triangle.map(|vertex| vertex as usize);
-        // As the detection does: a face with a vertex that takes no part has no area.
-        if corners.iter().all(|&vertex| regular[vertex]) {
-            let [a, b, c] = corners.map(|vertex| points[vertex]);
-            let third = (b - a).cross(&(c - a)).norm() / 6.0;
-            corners.iter().for_each(|&vertex| areas[vertex] += third);
-        }
-    }
-    areas
+    // As the detection does: a face with a vertex that takes no part has no area.
+    let counted = |triangle: &&[u32; 3]| triangle.iter().all(|&vertex| regular[vertex as usize]);
+    vertex_areas(points, triangles.iter().filter(counted))
 }
 
 /// A direction of the lower hemisphere, away from the base, evenly over its area.

@@ -190,20 +190,20 @@ fn one_table_tells_the_labels_of_the_built_in_cohort_beside_ef_and_chance() {
 
 #[test]
 fn motions_are_followed_by_other_objects_and_paths_stay_near_them() {
-    let mut params = TransportStudyParams::default();
+    let mut params = TransportExperimentParams::default();
     params.objects.truncate(1);
     params.cohort.per_class = 1;
     params.transport.interpolated_poses = 0;
-    let study = transport_study(&params, &Progress::default()).unwrap();
+    let study = transport_experiment(&params, &Progress::default()).unwrap();
     assert_eq!(study.cases.len(), 4);
     for case in &study.cases {
         assert!(case.cosine > 0.8, "{case:?}");
         assert_eq!(case.target, "ellipsoid");
     }
-    let mut params = InterpolationStudyParams::default();
+    let mut params = InterpolationExperimentParams::default();
     params.objects.truncate(1);
     params.geodesic.interpolated_poses = 1;
-    let study = interpolation_study(&params, &Progress::default()).unwrap();
+    let study = interpolation_experiment(&params, &Progress::default()).unwrap();
     for case in &study.cases {
         assert!(case.energy_ratio <= 1.0 + 1e-12, "{:?}", case.motion);
         assert!(

@@ -1,4 +1,7 @@
-//! The search for the path of least energy on one mesh, from few interpolated poses to many.
+//! The search for the path of least energy on one mesh, at one number of interpolated poses or from few to many.
+//!
+//! Which of the two is decided in `solver.rs::search`: at once with all poses, and only for metrics with many minima, in
+//! addition, from few poses on.
 
 use crate::analysis::metrics::{MetricError, PathEnergy};
 use crate::numeric::{Ending, LbfgsParams, Objective, lbfgs};
@@ -113,7 +116,8 @@ pub(super) fn resampled(
     out
 }
 
-/// Finds the path of least energy: starts with few interpolated poses, bisects, and improves each time.
+/// Finds a path of least energy, from the straight line: at each of the `levels`, which are numbers of interpolated poses,
+/// it improves what the level before left. One level is a search with all poses at once.
 pub(super) fn cheapest(
     energy_of: impl Fn(usize) -> Result<PathEnergy, MetricError>,
     stiffness: Option<&Stiffness>,

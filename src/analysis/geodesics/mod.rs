@@ -14,7 +14,7 @@ mod result;
 mod solver;
 mod stiffness;
 
-pub use interpolate::{geodesic, interpolated_sequence};
+pub use interpolate::geodesic;
 pub use params::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
 pub use result::{GeodesicError, GeodesicPath};
 pub use solver::GeodesicSolver;

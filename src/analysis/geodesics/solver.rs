@@ -210,6 +210,7 @@ impl GeodesicSolver {
             )
         };
         let stiffness = own.as_ref().or(self.stiffness.as_ref());
+        // All poses at once: the preconditioner couples them in time, so that few poses first would gain nothing.
         let mut best = from(&[count], stiffness)?;
         // One search is enough where every start leads to the same path.
         if !has_many_minima(&self.params) {
@@ -261,6 +262,7 @@ impl GeodesicSolver {
         // The search is best begun low; the straight line is among the starts, so that the end is never above it.
         let mut least = energy.energy(&straight);
         let whole = std::mem::replace(&mut inner.coordinates, straight.clone());
+        // Halves of the offsets: three evaluations of the energy against a start that is up to twice too bent. Not tuned.
         for share in [0.25, 0.5, 1.0] {
             let between = straight.iter().zip(&whole);
             let bent: Vec<f64> = between.map(|(s, w)| s + share * (w - s)).collect();

@@ -11,7 +11,7 @@ const SHIFT: f64 = 1e-6;
 /// Stiffness of sides against turning, as a share of that against stretching.
 ///
 /// A side under strain resists turning (or gives way to it) with about its strain, and the straight
-/// line between two beating or galloping poses strains sides by some tenths: hence a tenth. Without this
+/// line between two beating or galloping poses strains sides by some tenths: hence a tenth, of that order and not tuned. Without this
 /// share the preconditioner takes sides for free to turn, and the search steps into high-frequency wrinkles,
 /// which it must then take back. It changes how long a search takes, never what a path costs.
 const TENSION: f64 = 0.1;
@@ -113,12 +113,12 @@ impl Stiffness {
     }
 }
 
-/// Replaces each value over poses by tridiag(−1, 2, −1)⁻¹ of it, by elimination: the pivots
-/// are (k + 2) / (k + 1).
+/// Replaces each value over poses by tridiag(−1, 2, −1)⁻¹ of it, by elimination: with poses counted from 0, the pivot of
+/// pose k is (k + 2) / (k + 1).
 fn solve_in_time(values: &mut [f64], size: usize) {
     let poses = values.len() / size;
     for k in 1..poses {
-        // Gaussian elimination of the matrix (−1, 2, −1), whose pivots are (k + 1) / k.
+        // Forwards, what the pose before adds: 1 over its pivot, (k + 1) / k.
         let factor = k as f64 / (k + 1) as f64;
         let (before, here) = values[(k - 1) * size..(k + 1) * size].split_at_mut(size);
         for (here, before) in here.iter_mut().zip(before) {
@@ -126,6 +126,7 @@ fn solve_in_time(values: &mut [f64], size: usize) {
         }
     }
     for k in (0..poses).rev() {
+        // Backwards, divided by the own pivot.
         let inverse_pivot = (k + 1) as f64 / (k + 2) as f64;
         let (here, after) = values[k * size..].split_at_mut(size);
         if k + 1 < poses {

@@ -7,7 +7,6 @@ use super::*;
 use crate::analysis::metrics::{Corners, Form, METRICS, MetricKind, MetricParams, bent};
 use crate::mesh::{Faces, Point3, TriMesh, Vector3, phantom};
 use crate::progress::Progress;
-use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
 
 fn found(faces: &Faces, start: &[Point3], end: &[Point3], params: GeodesicParams) -> GeodesicPath {
     let params = params.check().unwrap();
@@ -199,30 +198,6 @@ fn a_path_begun_on_few_vertices_is_that_of_all() {
     assert!(few.converged && !few.fell_back && few.energy < 0.999 * few.energy_linear);
     assert!((few.energy / whole.energy - 1.0).abs() < 1e-9);
     assert!(farthest(&few.poses, &whole.poses) < 1e-4);
-}
-
-#[test]
-fn a_beat_is_closed_by_the_way_from_its_last_frame_to_its_first() {
-    let mesh = bowl();
-    let beat = |frames: u32| {
-        let frames = (0..frames).map(|k| {
-            let points = bent(mesh.vertices(), 0.1 * f64::from(k), 1.0);
-            TriMesh::new(points, std::sync::Arc::clone(mesh.faces())).unwrap()
-        });
-        let surface = SurfaceSequence::new(SurfaceKind::Cavity, frames.collect()).unwrap();
-        MeshSequence::new(vec![surface]).unwrap()
-    };
-    let params = GeodesicParams::default().check().unwrap();
-    for (frames, intervals) in [(1, 0), (2, 1), (3, 3), (4, 4)] {
-        let sequence = beat(frames);
-        let paths = interpolated_sequence(&sequence, &params, &Progress::default()).unwrap();
-        assert_eq!(paths.len(), intervals);
-        for (i, path) in paths.iter().enumerate() {
-            let next = (i + 1) % frames as usize;
-            assert_eq!(path.poses.first().cloned(), sequence.pose(i));
-            assert_eq!(path.poses.last().cloned(), sequence.pose(next));
-        }
-    }
 }
 
 mod damage;

@@ -173,6 +173,19 @@ fn constant(frames: &[FrameMeasures]) -> bool {
     first.is_some_and(|first| volumes.all(|volume| equal(first, volume)))
 }
 
+/// Frames of end-diastole and end-systole of a subject as it is now: what is stated counts at once, what is measured as
+/// soon as it is known. [`find_phases`] decides the same with the volumes at hand.
+pub fn phases_of(
+    subject: &Subject,
+    measures: Option<&SubjectMeasures>,
+) -> (Option<usize>, Option<usize>) {
+    let stated = |frame: Option<usize>| frame.filter(|&at| at < subject.sequence.frame_count());
+    (
+        stated(subject.end_diastole).or(measures.and_then(|known| known.end_diastole)),
+        stated(subject.end_systole).or(measures.and_then(|known| known.end_systole)),
+    )
+}
+
 /// A single frame is end-diastole and has no end-systole, or what the input says it is, so that no motion is made up.
 fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
     let count = measured.frames.len();

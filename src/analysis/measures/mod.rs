@@ -12,10 +12,10 @@ mod volumes;
 mod wall_sides;
 
 pub use inner_side::InnerSideError;
-pub use measure::{measure_study, measure_subject, unknown_volumes};
+pub use measure::{measure_study, measure_subject, phases_of, unknown_volumes};
 pub use reference_range::{
-    EDV_RANGE, EF_RANGE, ESV_RANGE, MASS_RANGE, OutsideRange, ReferenceRange, SV_RANGE,
-    outside_reference,
+    ADULT_RANGES, EDV_RANGE, EF_RANGE, ESV_RANGE, MASS_RANGE, OutsideRange, ReferenceRange,
+    SV_RANGE, outside_reference,
 };
 pub use result::{FrameMeasures, MeasureNote, PhaseSource, SubjectMeasures};
 pub use volumes::UnknownVolume;

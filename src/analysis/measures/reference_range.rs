@@ -18,7 +18,13 @@ pub struct ReferenceRange {
     pub high: f64,
     /// What both are counted in.
     pub unit: &'static str,
+    /// Population and source, for whoever reads the range.
+    pub source: &'static str,
 }
+
+/// The population and source of volumes and mass.
+const MAGNETIC_RESONANCE: &str = "women’s mean − 2 SD to men’s mean + 2 SD (Kawel-Boehm et al. 2015, J Cardiovasc Magn \
+                                  Reson 17:29)";
 
 /// Ejection fraction.
 ///
@@ -30,6 +36,8 @@ pub const EF_RANGE: ReferenceRange = ReferenceRange {
     low: 52.0,
     high: 74.0,
     unit: "%",
+    source: "men 52–72 %, women 54–74 % (Lang et al. 2015, J Am Soc Echocardiogr 28:1, biplane echocardiography). Other \
+             imaging differs by a few per cent.",
 };
 
 /// End-diastolic volume.
@@ -42,6 +50,7 @@ pub const EDV_RANGE: ReferenceRange = ReferenceRange {
     low: 86.0,
     high: 214.0,
     unit: "ml",
+    source: MAGNETIC_RESONANCE,
 };
 
 /// End-systolic volume: 44 ± 11 ml in women, 54 ± 14 ml in men.
@@ -50,6 +59,7 @@ pub const ESV_RANGE: ReferenceRange = ReferenceRange {
     low: 22.0,
     high: 82.0,
     unit: "ml",
+    source: MAGNETIC_RESONANCE,
 };
 
 /// Stroke volume: 87 ± 15 ml in women, 108 ± 18 ml in men.
@@ -58,6 +68,7 @@ pub const SV_RANGE: ReferenceRange = ReferenceRange {
     low: 57.0,
     high: 144.0,
     unit: "ml",
+    source: MAGNETIC_RESONANCE,
 };
 
 /// Mass of the myocardium: 98 ± 21 g in women, 134 ± 21 g in men.
@@ -66,7 +77,13 @@ pub const MASS_RANGE: ReferenceRange = ReferenceRange {
     low: 56.0,
     high: 176.0,
     unit: "g",
+    source: MAGNETIC_RESONANCE,
 };
+
+/// All ranges in one sentence, as the dictionary of columns explains what lies outside of them.
+pub const ADULT_RANGES: &str = "Measures outside the range of healthy adults of either sex: EF 52–74 % (Lang 2015); EDV 86–214, \
+                                ESV 22–82, SV 57–144 ml, mass 56–176 g (Kawel-Boehm 2015), from women's lower to men's upper limit; \
+                                empty if none";
 
 /// A measure outside its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,6 +101,7 @@ impl std::fmt::Display for OutsideRange {
             low,
             high,
             unit,
+            ..
         } = self.range;
         if self.below {
             write!(f, "{name} below {low} {unit}")
@@ -94,6 +112,11 @@ impl std::fmt::Display for OutsideRange {
 }
 
 impl ReferenceRange {
+    /// "52–74 %".
+    pub fn words(self) -> String {
+        format!("{}–{} {}", self.low, self.high, self.unit)
+    }
+
     /// How a value lies to the range; `None` inside it and at its ends.
     pub fn outside(self, value: f64) -> Option<OutsideRange> {
         let below = value < self.low;
@@ -144,6 +167,15 @@ mod tests {
             words([41.8, 36.7], LengthUnit::Millimetre),
             ["EF below 52 %", "EDV above 214 ml", "ESV above 82 ml"]
         );
+    }
+
+    #[test]
+    fn the_sentence_has_the_limits_that_are_tested() {
+        for range in [EF_RANGE, EDV_RANGE, ESV_RANGE, SV_RANGE, MASS_RANGE] {
+            let limits = format!("{} {}–{}", range.name, range.low, range.high);
+            assert!(ADULT_RANGES.contains(&limits), "{limits}");
+        }
+        assert_eq!(EF_RANGE.words(), "52–74 %");
     }
 
     #[test]

@@ -14,15 +14,18 @@ use crate::mesh::Point3;
 use crate::progress::Progress;
 
 /// Noise over the typical thickness up to which the least smoothing is enough: of smooth surfaces the estimate is less.
+/// Half a per cent of the thickness is far below what thickening is about: a search for a longer length would cost time
+/// for nothing.
 const HARDLY_ROUGH: f64 = 0.005;
 
 /// Longest ℓ in typical thicknesses that noise can ask for.
 const MAX_LENGTH: f64 = 1.5;
 
-/// Noise makes walls look thin. Where they are so many times as thick without it, longer lengths are tried as well …
+/// Noise makes walls look thin. Where they are so many times as thick without it, longer lengths are tried as well: below a
+/// quarter more, lengths that are tried, √2 apart, would hardly be others. Not tuned …
 const THICKER: f64 = 1.25;
 
-/// … so many times in all.
+/// … so many times in all: a bound on time, each round smooths two poses again. Not tuned.
 const ROUNDS: usize = 3;
 
 /// What is known of a wall's poses before spheres are fitted into it.

@@ -2,6 +2,7 @@
 
 use super::connectivity::Connectivity;
 use crate::mesh::{Point3, Vector3, vertex_normals};
+use crate::numeric::lower_median;
 
 /// Times that normals are averaged with those of their neighbours.
 const NORMAL_STEPS: usize = 2;
@@ -74,7 +75,7 @@ impl Roughness {
             })
             .collect();
         // The median, since creases and rims are large second differences without noise.
-        NORMAL_FROM_MEDIAN * median(sizes)
+        NORMAL_FROM_MEDIAN * lower_median(sizes)
     }
 }
 
@@ -107,13 +108,4 @@ pub(super) fn steady_normals(connectivity: &Connectivity, points: &[Point3]) -> 
             .collect();
     }
     normals
-}
-
-/// The lower median; 0 without values.
-fn median(mut values: Vec<f64>) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let middle = (values.len() - 1) / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }

@@ -157,10 +157,7 @@ impl WallOfPose<'_> {
 
     /// The sphere at its foot. Seen from behind, as where the sides coincide or cross, the side across leaves no room.
     fn touching(&self, vertex: u32, radius: f64, found: &Nearest) -> MedialSphere {
-        let corners = self.faces.triangles[found.face as usize];
-        let carriers = (corners.iter().zip(found.weights)).filter(|&(_, weight)| weight > 0.0);
-        let at_boundary = found.weights.contains(&0.0)
-            && carriers.map(|(&v, _)| v).all(|v| self.boundary[v as usize]);
+        let at_boundary = self.at_boundary(found);
         let normal = self.normals[vertex as usize];
         let centre = self.faces.points[vertex as usize] + radius * normal;
         // A vertex that lies beyond the other side sees its outer face: there is no myocardium between them.
@@ -217,6 +214,13 @@ impl WallOfPose<'_> {
             .sum()
     }
 
+    /// Whether a point lies on an edge or a vertex whose ends are all of the open boundary.
+    fn at_boundary(&self, found: &Nearest) -> bool {
+        let corners = self.faces.triangles[found.face as usize];
+        let mut carriers = (corners.iter().zip(found.weights)).filter(|&(_, weight)| weight > 0.0);
+        found.weights.contains(&0.0) && carriers.all(|(&v, _)| self.boundary[v as usize])
+    }
+
     /// Whether the nearest point of the side across is seen from its outer side: the sides cross.
     fn behind(&self, point: Point3, normal: Vector3, facing: &Facing) -> bool {
         // Farther than a wall is thick there is no other side to be behind.
@@ -224,13 +228,7 @@ impl WallOfPose<'_> {
         let Some(found) = self.tree.nearest(point, facing, most, None) else {
             return normal == Vector3::zeros();
         };
-        let corners = self.faces.triangles[found.face as usize];
-        let weighted = corners.iter().zip(found.weights);
         let inwards = self.interpolated_normal(&found);
-        let at_boundary = found.weights.contains(&0.0)
-            && weighted
-                .filter(|&(_, weight)| weight > 0.0)
-                .all(|(&v, _)| self.boundary[v as usize]);
-        !at_boundary && inwards.dot(&(point - found.point)) <= 0.0
+        !self.at_boundary(&found) && inwards.dot(&(point - found.point)) <= 0.0
     }
 }

@@ -16,13 +16,15 @@ use crate::progress::Progress;
 /// Vertices between two questions whether to go on: some milliseconds.
 const CHUNK: usize = 256;
 
-/// Diameter of the largest sphere over the typical thickness: a wall four times as thick as its median is none.
+/// Diameter of the largest sphere over the typical thickness: a wall four times as thick as its median is taken for none.
+/// Larger finds thicker bulges, and more spheres that leak through openings. Not tuned.
 const MAX_THICKNESS: f64 = 4.0;
 
-/// Share of vertices that must have a sphere; the rest of a wall cannot be trusted where fewer have.
+/// Share of vertices that must have a sphere: a half, since of a wall that has fewer the usual vertex has no thickness. Not tuned.
 const MIN_FITTING: f64 = 0.5;
 
-/// Noise over the typical thickness from which lost atoms are put down to noise.
+/// Noise over the typical thickness from which lost atoms are put down to noise: the reason of a pose that fails, and what
+/// refuses a cycle that has lost more than half of its atoms. Not tuned.
 pub(super) const MAX_NOISE: f64 = 0.2;
 
 /// Atoms of a wall at one pose, one per vertex of the template.

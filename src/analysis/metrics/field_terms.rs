@@ -114,6 +114,20 @@ impl Metric {
         sums
     }
 
+    /// Appends √a_f t_c(X) of all corners: their products are Σ_f a_f Σ_c t_c(X) t_c(Y).
+    pub(super) fn add_corner_coordinates(
+        &self,
+        at: &PreparedPose,
+        field: &[Vector3],
+        coordinates: &mut Vec<f64>,
+    ) {
+        let terms = self.corner_terms(at, field).into_iter();
+        coordinates.extend((terms.zip(&at.face_weight)).flat_map(|(t, weight)| {
+            let root = weight.sqrt();
+            t.map(|t| root * t)
+        }));
+    }
+
     /// Rate of curvature along a field, per vertex.
     pub(super) fn curvature_rates(&self, at: &PreparedPose, field: &[Vector3]) -> Vec<f64> {
         if self.params.area_weights {
@@ -147,6 +161,20 @@ impl Metric {
             .map(|(share, (x, y))| if by_area { share * x.dot(y) } else { x.dot(y) })
             .sum();
         at.regulariser_factor * sum
+    }
+
+    /// Appends √(λ a_p) X_p: their products are the regulariser.
+    pub(super) fn add_regulariser_coordinates(
+        &self,
+        at: &PreparedPose,
+        field: &[Vector3],
+        coordinates: &mut Vec<f64>,
+    ) {
+        let by_area = self.params.regulariser == Regulariser::Area;
+        for (share, x) in at.vertex_share.iter().zip(field) {
+            let weight = at.regulariser_factor * if by_area { *share } else { 1.0 };
+            coordinates.extend((x * weight.sqrt()).iter());
+        }
     }
 
     /// Weight of each vertex in sums over vertices: its share of the area, or 1.

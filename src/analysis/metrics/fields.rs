@@ -40,6 +40,21 @@ impl Metric {
         [0, 1, 2].map(|i| own[i] + rest[i])
     }
 
+    /// A field as numbers in which the metric at a pose is Euclidean: ⟨⟨X, Y⟩⟩ is the sum of products of those of X and of
+    /// Y. Linear in the field, so that distances of many fields cost no more than differences of numbers. Some ten per
+    /// vertex; empty for fields of another length than the pose. Of forms that are no inner product, those of the
+    /// additive form.
+    pub fn coordinates(&self, at: &PreparedPose, field: &[Vector3]) -> Vec<f64> {
+        let mut coordinates = Vec::new();
+        if self.fits(field) {
+            terms(self.params.kind).add_coordinates(self, at, field, &mut coordinates);
+            if self.params.lambda > 0.0 {
+                self.add_regulariser_coordinates(at, field, &mut coordinates);
+            }
+        }
+        coordinates
+    }
+
     /// Σ_f a_f Σ_c w_c t_c(X) t_c(Y) + λ Σ_p a_p X_p·Y_p with weights w per vertex, such as
     /// those of [`Self::frozen_weights`]: an inner product at every pose.
     pub fn frozen_inner_product(

@@ -59,6 +59,22 @@ pub fn pose_distances(
     Ok(pose_distances_knowing(study, params, None, progress)?.distances)
 }
 
+/// [`pose_distances`] of those pairs alone that are `needed`; the others stand as 0 in the matrix, whatever they are.
+///
+/// # Errors
+/// As [`pose_distances`].
+pub fn pose_distances_where(
+    study: &Study,
+    params: &CheckedPoseDistanceParams,
+    needed: &Needed<'_>,
+    progress: &Progress,
+) -> Result<PoseDistances, PoseDistanceError> {
+    Ok(computed(study, params, (None, needed), PREPARED_BYTES, progress)?.distances)
+}
+
+/// Which pairs are computed.
+pub type Needed<'a> = dyn Fn(PoseId, PoseId) -> bool + Sync + 'a;
+
 /// Distances and how much work they were.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComputedDistances {
@@ -79,14 +95,20 @@ pub fn pose_distances_knowing(
     known: Option<&KnownDistances<'_>>,
     progress: &Progress,
 ) -> Result<ComputedDistances, PoseDistanceError> {
-    pose_distances_within(study, params, known, PREPARED_BYTES, progress)
+    computed(
+        study,
+        params,
+        (known, &|_, _| true),
+        PREPARED_BYTES,
+        progress,
+    )
 }
 
-/// The same, with at most so many bytes of poses made ready for comparison at a time.
-fn pose_distances_within(
+/// The same of the pairs that are needed, with at most so many bytes of poses made ready for comparison at a time.
+fn computed(
     study: &Study,
     params: &CheckedPoseDistanceParams,
-    known: Option<&KnownDistances<'_>>,
+    (known, needed): (Option<&KnownDistances<'_>>, &Needed<'_>),
     bytes: usize,
     progress: &Progress,
 ) -> Result<ComputedDistances, PoseDistanceError> {
@@ -114,7 +136,15 @@ fn pose_distances_within(
     let metric = Metric::new(&faces.unwrap_or_else(|| Faces::joined(&[])), params.metric);
     let Some(transport) = &params.transport else {
         let sources = own_sources(&comparable);
-        return compared((study, bytes), &metric, known, &sources, left_out, progress);
+        let within = (study, bytes);
+        return compared(
+            within,
+            &metric,
+            (known, needed),
+            &sources,
+            left_out,
+            progress,
+        );
     };
     let transporting = progress.part(
         "transporting all motions onto one subject",
@@ -128,7 +158,7 @@ fn pose_distances_within(
     compared(
         (study, bytes),
         &metric,
-        known,
+        (known, needed),
         &sources,
         left_out,
         &comparing,
@@ -139,7 +169,7 @@ fn pose_distances_within(
 fn compared(
     (study, bytes): (&Study, usize),
     metric: &Metric,
-    known: Option<&KnownDistances<'_>>,
+    (known, needed): (Option<&KnownDistances<'_>>, &Needed<'_>),
     sources: &[Source<'_>],
     mut left_out: Vec<LeftOut>,
     progress: &Progress,
@@ -159,7 +189,8 @@ fn compared(
     bands.keep(&usable, &kept);
     let poses: Vec<PoseId> = bands.sources().iter().map(|source| source.pose).collect();
     let rows = KnownRows::of(known, study, &poses);
-    let (distances, new_pairs) = all_pairs(metric, &bands, &rows, progress)?;
+    let needed = |i: usize, j: usize| needed(poses[i], poses[j]);
+    let (distances, new_pairs) = all_pairs(metric, &bands, &rows, needed, progress)?;
     Ok(ComputedDistances {
         distances: PoseDistances {
             poses,
@@ -193,11 +224,12 @@ fn assembled(poses: &[PoseId], rows: &KnownRows<'_>) -> DistanceMatrix {
         .unwrap_or_else(DistanceMatrix::empty)
 }
 
-/// Every pair once, band by band and block by block; numbers are placed by their pair, whoever did it.
+/// Every pair that is needed once, band by band and block by block; numbers are placed by their pair, whoever did it.
 fn all_pairs(
     metric: &Metric,
     bands: &Bands<'_>,
     known: &KnownRows<'_>,
+    needed: impl Fn(usize, usize) -> bool + Sync,
     progress: &Progress,
 ) -> Result<(DistanceMatrix, usize), Stopped> {
     let (count, length) = (bands.sources().len(), bands.length());
@@ -222,6 +254,9 @@ fn all_pairs(
             let pair =
                 |(i, j): (usize, usize), scratch: &mut PairScratch| -> Result<f64, Stopped> {
                     progress.step()?;
+                    if !needed(i, j) {
+                        return Ok(0.0);
+                    }
                     if let Some(distance) = known.distance(i, j) {
                         return Ok(distance);
                     }

@@ -13,7 +13,9 @@ mod source;
 pub use crate::analysis::alignment::LeftOut;
 pub use error::PoseDistanceError;
 pub use known::KnownDistances;
-pub use matrix::{ComputedDistances, pose_distances, pose_distances_knowing};
+pub use matrix::{
+    ComputedDistances, Needed, pose_distances, pose_distances_knowing, pose_distances_where,
+};
 pub use pair::{PairError, pair_contributions};
 pub use params::{CheckedPoseDistanceParams, PoseDistanceParamError, PoseDistanceParams};
 pub use result::{DistanceMatrix, PoseDistances, PoseId};

@@ -1,25 +1,9 @@
 //! Means over segments and levels of any quantity per vertex.
 
-use crate::mesh::Point3;
-
 use super::{Level, Segment};
 
-/// Area that each vertex stands for: a third of that of each of its faces, in square coordinates.
-pub fn vertex_areas(vertices: &[Point3], triangles: &[[u32; 3]]) -> Vec<f64> {
-    let mut areas = vec![0.0; vertices.len()];
-    for triangle in triangles {
-        let [a, b, c] = triangle.map(|v| vertices[v as usize]);
-        // The cross product is twice the area, and each corner has a third of it.
-        let third = (b - a).cross(&(c - a)).norm() / 6.0;
-        for &vertex in triangle {
-            areas[vertex as usize] += third;
-        }
-    }
-    areas
-}
-
-/// Mean of values over each segment, weighted, such as by [`vertex_areas`]; `None` for a segment
-/// without weight. Values that are not finite, and vertices past the end of any slice, do not count.
+/// Mean of values over each segment, weighted, such as by [`vertex_areas`](crate::mesh::vertex_areas);
+/// `None` for a segment without weight. Values that are not finite, and vertices past the end of any slice, do not count.
 pub fn segment_means(
     segments: &[Option<Segment>],
     weights: &[f64],

@@ -18,7 +18,7 @@ pub use bulls_eye::{
 };
 pub use error::SegmentError;
 pub use long_axis::LongAxis;
-pub use means::{level_means, segment_means, vertex_areas};
+pub use means::{level_means, segment_means};
 pub use of_subject::{inner_places, long_axis};
 pub use places::{CAP_SHARE, Places, Polar, level, places, polar, segment};
 pub use segment::{Level, Segment};

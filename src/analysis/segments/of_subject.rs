@@ -1,10 +1,10 @@
 //! The long axis of a subject at a frame, and the places of its vertices.
 
 use crate::analysis::measures::{Side, WallSides, wall_sides};
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::{Point3, Vector3, vertex_areas};
 use crate::study::{Anatomy, Subject};
 
-use super::{LongAxis, Places, SegmentError, places, vertex_areas};
+use super::{LongAxis, Places, SegmentError, places};
 
 /// Rims shorter than this share of the longest are holes, not openings of the subject: a valve is
 /// longer than a fourth of the other's ring.

@@ -7,7 +7,7 @@ use nalgebra::{Rotation3, Unit};
 use proptest::prelude::*;
 
 use super::*;
-use crate::mesh::{Faces, Point3, TriMesh, Vector3, area, phantom};
+use crate::mesh::{Faces, Point3, TriMesh, Vector3, area, phantom, vertex_areas};
 use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Anatomy, MeshSequence, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;

@@ -32,7 +32,7 @@ pub fn segment_thickening(
     end_diastole: &[Option<f64>],
     end_systole: &[Option<f64>],
 ) -> [Option<GroupThickening>; Segment::COUNT] {
-    let [ed, es] = told_at_both(end_diastole, end_systole);
+    let [ed, es] = known_at_both(end_diastole, end_systole);
     paired(
         super::segment_means(segments, weights, &ed),
         super::segment_means(segments, weights, &es),
@@ -46,7 +46,7 @@ pub fn level_thickening(
     end_diastole: &[Option<f64>],
     end_systole: &[Option<f64>],
 ) -> [Option<GroupThickening>; Level::ALL.len()] {
-    let [ed, es] = told_at_both(end_diastole, end_systole);
+    let [ed, es] = known_at_both(end_diastole, end_systole);
     paired(
         super::level_means(levels, weights, &ed),
         super::level_means(levels, weights, &es),
@@ -54,7 +54,7 @@ pub fn level_thickening(
 }
 
 /// Values of both phases where both are known, not a number elsewhere.
-fn told_at_both(ed: &[Option<f64>], es: &[Option<f64>]) -> [Vec<f64>; 2] {
+fn known_at_both(ed: &[Option<f64>], es: &[Option<f64>]) -> [Vec<f64>; 2] {
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     let (ed, es) = (ed.iter().zip(es))
         .map(|(&ed, &es)| match (finite(ed), finite(es)) {

@@ -38,14 +38,7 @@ pub(super) fn confidences(
         let remote = area_quantile(&drawn, &mesh.areas, REMOTE_QUANTILE);
         // Redraws may split or join regions, so that atoms are compared and not regions.
         let mut again = vec![false; drawn.len()];
-        for part in akinetic_regions(
-            &drawn,
-            remote,
-            mesh,
-            &surface.neighbours,
-            estimate.min_share,
-            params,
-        ) {
+        for part in akinetic_regions(&drawn, remote, surface, estimate.min_share, params) {
             part.iter().for_each(|&atom| again[atom as usize] = true);
         }
         for (found, part) in found.iter_mut().zip(parts) {

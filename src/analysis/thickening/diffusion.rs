@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::mesh::Point3;
+use crate::mesh::{Point3, vertex_areas};
 use crate::numeric::{SparseCholesky, SparseCholeskyError};
 
 /// The part of the medial mesh that takes part, and the areas of its atoms.
@@ -22,14 +22,7 @@ impl RegularMesh {
         let triangles: Vec<[u32; 3]> = (triangles.iter().copied())
             .filter(|triangle| triangle.iter().all(|&atom| regular[atom as usize]))
             .collect();
-        let mut areas = vec![0.0; positions.len()];
-        for triangle in &triangles {
-            let [a, b, c] = triangle.map(|atom| positions[atom as usize]);
-            let third = (b - a).cross(&(c - a)).norm() / 6.0;
-            triangle
-                .iter()
-                .for_each(|&atom| areas[atom as usize] += third);
-        }
+        let areas = vertex_areas(positions, &triangles);
         let whole = areas.iter().sum();
         Self {
             triangles,

@@ -2,6 +2,7 @@
 
 use super::curve::ThickeningCurve;
 use super::neighbours::Neighbours;
+use crate::numeric::lower_median;
 
 /// 1 / Φ⁻¹(¾): standard deviation of a normal distribution over its median absolute value.
 const NORMAL_FROM_MEDIAN: f64 = 1.482_602_218_505_602;
@@ -35,7 +36,7 @@ pub(super) fn noise_of(
             (!around.is_empty()).then(|| (thickening[atom] - mean).abs() / scale)
         });
         // Thickening is ln r times c, times c(ES) − c(ED): its noise is as many times that of ln r.
-        return NORMAL_FROM_MEDIAN * median(apart.collect()) / curve.rise.max(f64::EPSILON);
+        return NORMAL_FROM_MEDIAN * lower_median(apart.collect()) / curve.rise.max(f64::EPSILON);
     }
     // The mean and the share of the curve are fitted, which takes two degrees of freedom from each atom.
     let degrees = columns.len() as f64 - 2.0;
@@ -50,14 +51,5 @@ pub(super) fn noise_of(
     // Wilson and Hilferty’s median of χ², by which a median of squares becomes a variance.
     let chi2 = degrees * (1.0 - 2.0 / (9.0 * degrees)).powi(3);
     // The median atom, since atoms of a patch or a rim follow the curve badly without being noisy.
-    (median(left.collect()) / chi2).sqrt()
-}
-
-/// The lower median; 0 without values.
-fn median(mut values: Vec<f64>) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let middle = (values.len() - 1) / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+    (lower_median(left.collect()) / chi2).sqrt()
 }

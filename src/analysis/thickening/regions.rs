@@ -3,6 +3,7 @@
 use super::diffusion::RegularMesh;
 use super::neighbours::Neighbours;
 use super::params::CheckedThickeningParams;
+use super::surface::Surface;
 
 /// Thickening of remote myocardium: the value that a fifth of the area exceeds. With patches of up to
 /// three fifths of the wall it is the median of what is left.
@@ -29,31 +30,39 @@ pub(super) const CORE_AREA: f64 = 0.5;
 
 /// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `extent` of what
 /// remote myocardium does, with the least area together, half of which thickens by less than `core` of it and
-/// less than `akinetic`. By falling area.
+/// less than `akinetic`. A part may reach the edge at which the wall was cut, but most of it lies away from there. By falling area.
 pub(super) fn akinetic_regions(
     thickening: &[f64],
     remote: f64,
-    mesh: &RegularMesh,
-    neighbours: &Neighbours,
+    surface: &Surface,
     min_share: f64,
     params: &CheckedThickeningParams,
 ) -> Vec<Vec<u32>> {
+    let Surface {
+        mesh,
+        neighbours,
+        at_edge,
+        ..
+    } = surface;
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
         .map(|(&value, &area)| area > 0.0 && value <= params.extent * remote)
         .collect();
     // The absolute limit guards against calling a moderately thickening part akinetic beside a very good rest.
     let core = params.akinetic.min(params.core * remote);
-    let area_below = |part: &[u32], limit: f64| -> f64 {
+    let area_of = |part: &[u32], counts: &dyn Fn(usize) -> bool| -> f64 {
         (part.iter().map(|&atom| atom as usize))
-            .filter(|&atom| thickening[atom] <= limit)
+            .filter(|&atom| counts(atom))
             .map(|atom| mesh.areas[atom])
             .sum()
     };
     let least = min_share * mesh.whole;
     let mut parts: Vec<(f64, Vec<u32>)> = (neighbours.parts(&inside).into_iter())
-        .filter(|part| area_below(part, core) >= (CORE_AREA * least).max(f64::MIN_POSITIVE))
-        .map(|part| (area_below(&part, f64::INFINITY), part))
-        .filter(|(area, _)| *area >= least)
+        .filter(|part| {
+            let still = area_of(part, &|atom| thickening[atom] <= core);
+            still >= (CORE_AREA * least).max(f64::MIN_POSITIVE)
+        })
+        .map(|part| (area_of(&part, &|_| true), part))
+        .filter(|(area, part)| *area >= least && area_of(part, &|atom| !at_edge[atom]) > 0.5 * area)
         .collect();
     // Largest first: features and the report speak of the first patch.
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));

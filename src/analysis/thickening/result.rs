@@ -133,6 +133,8 @@ pub struct Thickening {
     /// Thickening of every atom, ln PT from end-diastole to end-systole from all poses, averaged over its
     /// neighbourhood; 0 where an atom does not take part.
     pub averaged: Vec<f64>,
+    /// Atoms near the edge at which the wall was cut open: what does not thicken there alone is no patch.
+    pub at_edge: Vec<bool>,
     /// Thickening of remote myocardium.
     pub remote: f64,
     /// ln r of remote myocardium over the beat, less that at end-diastole, as the subject's own curve has it.

@@ -33,7 +33,8 @@ const MIN_REGULAR: f64 = 0.5;
 ///    estimated from what the curve leaves, is a twentieth of the thickening of remote myocardium. All poses count;
 ///    with two this is ln PT.
 /// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the subject's own remote myocardium, by
-///    hysteresis; a path and a descriptor for each. Where even remote myocardium hardly thickens, there are none:
+///    hysteresis, most of each away from the edge at which the wall was cut; a path and a descriptor for each. Where even remote
+///    myocardium hardly thickens, there are none:
 ///    hypokinesia is global.
 ///
 /// # Errors
@@ -75,14 +76,7 @@ pub fn thickening(
         Vec::new()
     } else {
         let least = found.min_share;
-        akinetic_regions(
-            &found.thickening,
-            found.remote,
-            mesh,
-            &surface.neighbours,
-            least,
-            params,
-        )
+        akinetic_regions(&found.thickening, found.remote, &surface, least, params)
     };
     let confidences = confidences(&found, &surface, &parts, params, progress)?;
     let wall = Wall {
@@ -128,6 +122,7 @@ pub fn thickening(
         averaged_noise: found.noise,
         regular_area: at_end_diastole.whole,
         averaged: found.thickening,
+        at_edge: surface.at_edge,
         size: surface.size,
         steps,
         patches,

@@ -2,53 +2,30 @@
 
 use crate::progress::{Progress, Stopped};
 
-use super::logistic::{Case, fit, score, sigmoid};
+use super::design::Design;
+use super::logistic::{Case, fit, left_out_scores, loss, score, sigmoid};
 
-/// Penalty on the slope of the calibration: a trace, so that scores without information have a finite one.
+/// Penalties on squared weights from which one is chosen, from strong to weak, against a log-likelihood of one unit per
+/// case: the first leaves hardly more than the mean, the last hardly touches a weight that one case speaks for.
+const PENALTIES: [f64; 5] = [36.0, 6.0, 1.0, 0.18, 0.03];
+/// Penalty on the slope of the calibration: a trace, so that scores that tell nothing have a finite one.
 const CALIBRATION_RIDGE: f64 = 1e-6;
 
-/// Standardised features and a logistic classifier on them.
+/// What is known of one subject, per feature.
+pub(super) type Row = [Option<f64>];
+
+/// A design and a logistic classifier on it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Classifier {
-    pub standard: Standard,
-    coefficients: Vec<f64>,
+    pub design: Design,
+    /// The intercept, then one per column of the design.
+    pub coefficients: Vec<f64>,
+    /// The penalty that was chosen.
+    pub ridge: f64,
 }
 
-/// What features are measured from and by.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Standard {
-    means: Vec<f64>,
-    deviations: Vec<f64>,
-}
-
-impl Standard {
-    /// Mean and standard deviation of each column; 1 for a column that does not vary.
-    pub fn new(rows: &[&[f64]]) -> Self {
-        let width = rows.first().map_or(0, |row| row.len());
-        let count = rows.len().max(1) as f64;
-        let mean = |f: &dyn Fn(&[f64]) -> f64| rows.iter().map(|row| f(row)).sum::<f64>() / count;
-        let means: Vec<f64> = (0..width).map(|j| mean(&|row| row[j])).collect();
-        let deviations = (0..width)
-            .map(|j| mean(&|row| (row[j] - means[j]).powi(2)).sqrt())
-            .zip(&means)
-            // Less is round-off of equal numbers.
-            .map(|(deviation, mean)| {
-                if deviation > 1e-12 * mean.abs() {
-                    deviation
-                } else {
-                    1.0
-                }
-            })
-            .collect();
-        Self { means, deviations }
-    }
-
-    pub fn of(&self, row: &[f64]) -> Vec<f64> {
-        (row.iter().zip(&self.means).zip(&self.deviations))
-            .map(|((x, mean), deviation)| (x - mean) / deviation)
-            .collect()
-    }
-}
+/// Coefficients by each penalty, from which others start.
+type Path = Vec<Vec<f64>>;
 
 /// Weights that make both classes count alike, n / (2 n of the class).
 fn balanced(abnormal: &[bool]) -> [f64; 2] {
@@ -61,33 +38,67 @@ fn balanced(abnormal: &[bool]) -> [f64; 2] {
 }
 
 impl Classifier {
-    /// Of labelled subjects; Newton's method starts from `start` if there is one.
-    pub fn new(rows: &[&[f64]], abnormal: &[bool], ridge: f64, start: Option<&Self>) -> Self {
-        // Of the training rows alone, or the case left out would take part in its own scale.
-        let standard = Standard::new(rows);
-        let standardised: Vec<Vec<f64>> = rows.iter().map(|row| standard.of(row)).collect();
+    /// Of labelled subjects. The penalty is the one whose scores, each by a fit without the case, have the least loss.
+    pub fn new(rows: &[&Row], positive: &[bool]) -> Self {
+        Self::from(rows, positive, None).0
+    }
+
+    /// The same; Newton's method starts from the path of a similar problem if there is one.
+    fn from(rows: &[&Row], positive: &[bool], start: Option<&Path>) -> (Self, Path) {
+        // Of the training rows alone, or the case left out would have told its own scale.
+        let design = Design::new(rows);
+        let columns: Vec<Vec<f64>> = rows.iter().map(|row| design.of(row)).collect();
         // Otherwise the more frequent class would be the safer answer, whatever the features say.
-        let weights = balanced(abnormal);
-        let cases: Vec<Case<'_>> = (standardised.iter().zip(abnormal))
+        let weights = balanced(positive);
+        let cases: Vec<Case<'_>> = (columns.iter().zip(positive))
             .map(|(features, &up)| Case {
                 features,
                 target: f64::from(u8::from(up)),
                 weight: weights[usize::from(up)],
             })
             .collect();
-        let zeros = vec![0.0; standard.means.len() + 1];
-        let start = start.map_or(zeros.as_slice(), |classifier| {
-            classifier.coefficients.as_slice()
-        });
-        Self {
-            coefficients: fit(&cases, ridge, start),
-            standard,
+        let size = design.standard.means.len() + 1;
+        let mut path: Path = Vec::with_capacity(PENALTIES.len());
+        let mut best = (f64::INFINITY, 0);
+        for (index, &ridge) in PENALTIES.iter().enumerate() {
+            let zeros = vec![0.0; size];
+            let begin = (start.map(|path| &path[index]))
+                // One subject may decide whether a column exists.
+                .filter(|known| known.len() == size)
+                .or(path.last())
+                .unwrap_or(&zeros);
+            let found = fit(&cases, ridge, begin);
+            let lost = loss(&cases, &left_out_scores(&cases, ridge, &found));
+            // Of equals the stronger penalty: it comes first.
+            if lost < best.0 {
+                best = (lost, index);
+            }
+            path.push(found);
         }
+        let classifier = Self {
+            coefficients: path[best.1].clone(),
+            ridge: PENALTIES[best.1],
+            design,
+        };
+        (classifier, path)
     }
 
     /// Log odds before calibration.
-    pub fn score(&self, row: &[f64]) -> f64 {
-        score(&self.coefficients, &self.standard.of(row))
+    pub fn score(&self, row: &Row) -> f64 {
+        score(&self.coefficients, &self.design.of(row))
+    }
+
+    /// What each feature adds to the score of a row beside the mean of the training set, its flag included.
+    pub fn contributions(&self, row: &Row) -> Vec<f64> {
+        let columns = self.design.of(row);
+        let mut parts: Vec<f64> = (self.coefficients[1..].iter().zip(&columns))
+            .map(|(weight, x)| weight * x)
+            .collect();
+        let flags = parts.split_off(row.len().min(parts.len()));
+        for (&feature, part) in self.design.flags.iter().zip(flags) {
+            parts[feature] += part;
+        }
+        parts
     }
 }
 
@@ -97,8 +108,8 @@ impl Classifier {
 /// separated by far do not get a probability of 0 or 1 (Platt's calibration); here both classes weigh alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Calibration {
-    slope: f64,
-    shift: f64,
+    pub slope: f64,
+    pub shift: f64,
 }
 
 /// Shift and slope with which the search for those of a calibration begins: scores are log odds already.
@@ -146,47 +157,73 @@ impl Calibration {
 }
 
 /// Scores and probabilities of each labelled subject from a classifier and a calibration without it (leave-one-out).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct LeftOut {
     /// Log odds by the classifier of the others.
     pub scores: Vec<f64>,
     /// Calibrated by the scores of the others.
     pub probabilities: Vec<f64>,
+    /// The classifiers of the others.
+    pub classifiers: Vec<Classifier>,
 }
 
-/// Each case left out in turn. Both classes must have three cases at least.
+/// Each case left out in turn, the choice of the penalty included. Both classes must have three cases at least.
 ///
 /// # Errors
 /// [`Stopped`] if asked to stop.
 pub(super) fn leave_one_out(
-    rows: &[&[f64]],
-    abnormal: &[bool],
-    ridge: f64,
+    rows: &[&Row],
+    positive: &[bool],
     progress: &Progress,
 ) -> Result<LeftOut, Stopped> {
     // Leaving one out moves the minimum little: started from that of all, Newton's method takes few steps. The
     // problem is convex, so that the start changes no result but for rounding.
-    let whole = Classifier::new(rows, abnormal, ridge, None);
-    let scores = (0..rows.len())
+    let (_, whole) = Classifier::from(rows, positive, None);
+    let classifiers = (0..rows.len())
         .map(|out| {
             progress.check()?;
-            let (others, labels) = (without(rows, out), without(abnormal, out));
-            Ok(Classifier::new(&others, &labels, ridge, Some(&whole)).score(rows[out]))
+            let (others, labels) = (without(rows, out), without(positive, out));
+            Ok(Classifier::from(&others, &labels, Some(&whole)).0)
         })
-        .collect::<Result<Vec<f64>, Stopped>>()?;
+        .collect::<Result<Vec<Classifier>, Stopped>>()?;
+    let scores: Vec<f64> = (classifiers.iter().zip(rows))
+        .map(|(classifier, row)| classifier.score(row))
+        .collect();
     // Likewise for the calibration. Its scores are leave-one-out scores: those of a fit to itself would be too sure.
-    let all = calibrated(&scores, abnormal, &UNCALIBRATED);
+    let all = calibrated(&scores, positive, &UNCALIBRATED);
     let probabilities = (0..rows.len())
         .map(|out| {
             progress.check()?;
-            let fitted = calibrated(&without(&scores, out), &without(abnormal, out), &all);
+            let fitted = calibrated(&without(&scores, out), &without(positive, out), &all);
             Ok(Calibration::of(&fitted).probability(scores[out]))
         })
         .collect::<Result<_, Stopped>>()?;
     Ok(LeftOut {
         scores,
         probabilities,
+        classifiers,
     })
+}
+
+/// A classifier of all labelled subjects, its calibration, and what it says of each of them left out.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Model {
+    pub classifier: Classifier,
+    pub calibration: Calibration,
+    pub left_out: LeftOut,
+}
+
+impl Model {
+    /// # Errors
+    /// [`Stopped`] if asked to stop.
+    pub fn new(rows: &[&Row], positive: &[bool], progress: &Progress) -> Result<Self, Stopped> {
+        let left_out = leave_one_out(rows, positive, progress)?;
+        Ok(Self {
+            classifier: Classifier::new(rows, positive),
+            calibration: Calibration::new(&left_out.scores, positive),
+            left_out,
+        })
+    }
 }
 
 fn without<T: Copy>(values: &[T], out: usize) -> Vec<T> {
@@ -198,12 +235,29 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn slices(rows: &[[f64; 2]]) -> Vec<&[f64]> {
-        rows.iter().map(<[f64; 2]>::as_slice).collect()
+    fn left_out(rows: &[[f64; 2]], labels: &[bool]) -> LeftOut {
+        let rows: Vec<[Option<f64>; 2]> = rows.iter().map(|row| row.map(Some)).collect();
+        let rows: Vec<&Row> = rows.iter().map(|row| &row[..]).collect();
+        leave_one_out(&rows, labels, &Progress::default()).unwrap()
     }
 
-    fn left_out(rows: &[[f64; 2]], labels: &[bool]) -> LeftOut {
-        leave_one_out(&slices(rows), labels, 1.0, &Progress::default()).unwrap()
+    #[test]
+    fn contributions_add_up_to_the_score_and_hold_the_flags() {
+        let rows: Vec<[Option<f64>; 2]> = (0..20_i32)
+            .map(|i| [Some(f64::from(i % 7)), (i % 3 != 0).then(|| f64::from(i))])
+            .collect();
+        let slices: Vec<&Row> = rows.iter().map(|row| &row[..]).collect();
+        let labels: Vec<bool> = (0..20).map(|i| i % 3 == 0).collect();
+        let classifier = Classifier::new(&slices, &labels);
+        for row in slices {
+            let parts = classifier.contributions(row);
+            assert_eq!(parts.len(), 2);
+            let sum = classifier.coefficients[0] + parts.iter().sum::<f64>();
+            assert!((sum - classifier.score(row)).abs() < 1e-9);
+        }
+        // Absence alone tells the classes here.
+        assert!(classifier.score(&[Some(3.0), None]) > 0.0);
+        assert!(classifier.score(&[Some(3.0), Some(9.0)]) < 0.0);
     }
 
     proptest! {

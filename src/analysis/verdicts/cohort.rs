@@ -10,34 +10,42 @@ use rayon::prelude::*;
 use crate::analysis::classification::Accuracy;
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::Copies;
-use crate::study::{LabelRole, Study};
+use crate::study::{LabelRole, Study, plain_label};
 
-use super::classifier::{Calibration, Classifier, LeftOut, leave_one_out};
+use super::classifier::{LeftOut, Model, Row, leave_one_out};
 use super::params::CheckedVerdictParams;
-use super::result::{ClassifierQuality, Examined, NotAssessed};
+use super::result::{ClassifierQuality, Examined, KindQuality, NotAssessed};
 use super::score::auc;
 
 /// The subjects that can be classified, and which of them have labels that count.
 pub(super) struct Cohort {
     /// What the classifier reads of each subject; empty where it is not assessed.
-    pub rows: Vec<Vec<f64>>,
+    pub rows: Vec<Vec<Option<f64>>>,
     /// Assessed subjects with a normal label, ascending.
     pub normal: Vec<usize>,
     /// And with an abnormal one.
     pub abnormal: Vec<usize>,
+    /// Label of each of them.
+    pub labels: Vec<Option<String>>,
     /// Which subjects have the same meshes: the classifier is trained on the first of them alone.
     pub copies: Arc<Copies>,
 }
 
-/// A classifier with its leave-one-out results on the subjects that it was trained on.
+/// The classifiers of a cohort, with their leave-one-out results on the subjects that they were trained on.
+#[derive(Debug)]
 pub(super) struct Trained {
-    pub classifier: Classifier,
-    pub calibration: Calibration,
+    /// Abnormal or not.
+    pub abnormal: Model,
+    /// One kind against the rest, for each label with enough subjects; empty where that is the same question.
+    pub kinds: Vec<(String, Model)>,
     /// Subjects of the training set, ascending.
     pub training_set: Vec<usize>,
-    pub left_out: LeftOut,
-    pub quality: ClassifierQuality,
+    /// `None` of a rule, which has none of the subjects that it was learnt on.
+    pub quality: Option<ClassifierQuality>,
 }
+
+/// Fewest kinds: between two there is nothing to tell but normal and abnormal.
+const MIN_KINDS: usize = 3;
 
 impl Cohort {
     pub fn new(study: &Study, examined: &[Result<Examined, NotAssessed>]) -> Self {
@@ -62,6 +70,9 @@ impl Cohort {
                 .collect(),
             normal: with_role(LabelRole::Normal),
             abnormal: with_role(LabelRole::Abnormal),
+            labels: (study.subjects.iter())
+                .map(|subject| subject.label.clone())
+                .collect(),
             copies,
         }
     }
@@ -84,7 +95,7 @@ impl Cohort {
         let mut training_set = [self.normal.as_slice(), &self.abnormal].concat();
         // Ascending, for the binary searches and for an order that labels do not decide.
         training_set.sort_unstable();
-        let rows: Vec<&[f64]> = training_set
+        let rows: Vec<&Row> = training_set
             .iter()
             .map(|&index| self.rows[index].as_slice())
             .collect();
@@ -92,16 +103,81 @@ impl Cohort {
             .iter()
             .map(|index| self.abnormal.binary_search(index).is_ok())
             .collect();
-        let left_out = leave_one_out(&rows, &labels, params.ridge, progress)?;
+        let abnormal = Model::new(&rows, &labels, progress)?;
+        let kinds = self.kinds(&rows, &training_set, min_count, progress)?;
         progress.step()?;
-        let quality = quality(&rows, &labels, &left_out, params, progress)?;
+        let mut quality = quality(&rows, &labels, &abnormal.left_out, params, progress)?;
+        quality.kinds = self.kind_quality(&kinds, &training_set);
         Ok(Some(Trained {
-            classifier: Classifier::new(&rows, &labels, params.ridge, None),
-            calibration: Calibration::new(&left_out.scores, &labels),
+            abnormal,
+            kinds,
             training_set,
-            left_out,
-            quality,
+            quality: Some(quality),
         }))
+    }
+
+    /// A model for each label that enough subjects of the training set have.
+    fn kinds(
+        &self,
+        rows: &[&Row],
+        training_set: &[usize],
+        min_count: usize,
+        progress: &Progress,
+    ) -> Result<Vec<(String, Model)>, Stopped> {
+        let of = |place: usize| self.labels[training_set[place]].as_deref().map(plain_label);
+        let own: Vec<Option<String>> = (0..rows.len()).map(of).collect();
+        let mut labels: Vec<String> = Vec::new();
+        for &index in training_set {
+            let label = self.labels[index].clone().unwrap_or_default();
+            let known = |other: &String| plain_label(other) == plain_label(&label);
+            if !labels.iter().any(known) {
+                labels.push(label);
+            }
+        }
+        labels.sort();
+        let positive = |label: &str| -> Vec<bool> {
+            let label = Some(plain_label(label));
+            own.iter().map(|own| *own == label).collect()
+        };
+        labels.retain(|label| positive(label).iter().filter(|own| **own).count() >= min_count);
+        if labels.len() < MIN_KINDS {
+            return Ok(Vec::new());
+        }
+        (labels.into_iter())
+            .map(|label| {
+                let model = Model::new(rows, &positive(&label), progress)?;
+                Ok((label, model))
+            })
+            .collect()
+    }
+
+    fn kind_quality(
+        &self,
+        kinds: &[(String, Model)],
+        training_set: &[usize],
+    ) -> Option<KindQuality> {
+        let is = |place: usize, kind: usize| {
+            let own = self.labels[training_set[place]].as_deref().map(plain_label);
+            own == Some(plain_label(&kinds[kind].0))
+        };
+        let of: Vec<usize> = (0..training_set.len())
+            .filter(|&place| (0..kinds.len()).any(|kind| is(place, kind)))
+            .collect();
+        let told = |place: usize| {
+            let of = |kind: &usize| kinds[*kind].1.left_out.probabilities[place];
+            // Of equals the first.
+            (0..kinds.len())
+                .rev()
+                .max_by(|a, b| of(a).total_cmp(&of(b)))
+        };
+        let count = |kind: usize| of.iter().filter(|&&place| is(place, kind)).count();
+        Some(KindQuality {
+            correct: (of.iter())
+                .filter(|&&place| told(place).is_some_and(|kind| is(place, kind)))
+                .count(),
+            of: of.len(),
+            largest_kind: (0..kinds.len()).map(count).max()?,
+        })
     }
 }
 
@@ -114,7 +190,7 @@ fn correct_count(probabilities: &[f64], labels: &[bool]) -> usize {
 
 /// How good a classifier is beside the same with permuted labels.
 fn quality(
-    rows: &[&[f64]],
+    rows: &[&Row],
     labels: &[bool],
     left_out: &LeftOut,
     params: &CheckedVerdictParams,
@@ -136,7 +212,7 @@ fn quality(
             let mut labels = labels.to_vec();
             labels.shuffle(&mut random);
             // The whole procedure again, leave-one-out included: its optimism is part of the permutation mean.
-            let left_out = leave_one_out(rows, &labels, params.ridge, progress)?;
+            let left_out = leave_one_out(rows, &labels, progress)?;
             Ok(measured(&labels, &left_out))
         })
         .collect::<Result<_, Stopped>>()?;
@@ -167,5 +243,6 @@ fn quality(
         auc: area,
         auc_baseline: permuted.iter().map(|(_, area)| area).sum::<f64>() / count,
         auc_p_value: at_least(&|found| found.1 >= area),
+        kinds: None,
     })
 }

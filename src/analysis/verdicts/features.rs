@@ -6,8 +6,12 @@ use crate::analysis::medial::MedialBeat;
 use crate::analysis::thickening::{Patch, Thickening};
 use crate::mesh::{Point3, area};
 
+use super::weighted::Weighted;
+
 /// PT from end-diastole to end-systole below which a wall is akinetic: "roughly equal to one" (4.4).
 const AKINETIC_PT: f64 = 1.1;
+/// Share of the wall that is thinner than what counts as its greatest thickness.
+const GREATEST: f64 = 0.95;
 
 /// What a verdict is made of: one subject's medial surfaces and its thickening.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +25,7 @@ pub struct VerdictInput<'a> {
 /// One feature of a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Feature {
-    /// Share of the wall whose thickness grows by less than a tenth from end-diastole to end-systole.
+    /// Share of the wall, away from where it was cut, whose thickness grows by less than a tenth from end-diastole to end-systole.
     AkineticShare,
     /// Area-weighted median of thickening, ln PT from end-diastole to end-systole.
     Median,
@@ -50,10 +54,38 @@ pub enum Feature {
     NormalSpread,
     /// Mean distance of MP from the medial surface (4.4.2).
     MeanPositionDistance,
+    /// Ejection fraction.
+    EjectionFraction,
+    /// End-diastolic volume over body surface, ml/m².
+    EdvIndex,
+    /// End-systolic volume over body surface, ml/m².
+    EsvIndex,
+    /// Mass of the myocardium over body surface, g/m².
+    MassIndex,
+    /// Mass of the myocardium over end-diastolic volume, g/ml.
+    MassToVolume,
+    /// Area-weighted median of wall thickness, the diameter of medial spheres, at end-diastole, mm.
+    WallEd,
+    /// Its 95th percentile, mm: a maximum that a single bump does not make.
+    ThickestEd,
+    /// The 95th percentile over the median: 1 for a wall of one thickness.
+    ThicknessRatio,
+    /// Median at end-systole, mm.
+    WallEs,
+    /// 95th percentile at end-systole, mm.
+    ThickestEs,
+    /// Volume of the cavity at end-diastole over that of a sphere as wide as the ventricle is long.
+    SphericityEd,
+    /// The same at end-systole.
+    SphericityEs,
+    /// Standard deviation over the inner side of its motion towards the centroid, as a share of the distance there.
+    InwardSpread,
+    /// 10th percentile of the same motion.
+    InwardTenth,
 }
 
 /// How many there are.
-const COUNT: usize = 14;
+const COUNT: usize = 28;
 
 impl Feature {
     /// All of them, in the order of tables.
@@ -72,11 +104,51 @@ impl Feature {
         Self::MeanPoseDistance,
         Self::NormalSpread,
         Self::MeanPositionDistance,
+        Self::EjectionFraction,
+        Self::EdvIndex,
+        Self::EsvIndex,
+        Self::MassIndex,
+        Self::MassToVolume,
+        Self::WallEd,
+        Self::ThickestEd,
+        Self::ThicknessRatio,
+        Self::WallEs,
+        Self::ThickestEs,
+        Self::SphericityEd,
+        Self::SphericityEs,
+        Self::InwardSpread,
+        Self::InwardTenth,
     ];
 
-    /// The three that the classifier reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
-    /// evidence: see [`verdicts`](super::verdicts()) for both measured side by side.
-    pub const MODEL_FEATURES: [Self; 3] = [Self::AkineticShare, Self::Median, Self::RelativeSpread];
+    /// Those that the classifier reads. The ones of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
+    /// evidence: see [`verdicts`](super::verdicts()) for what was measured.
+    pub const MODEL_FEATURES: [Self; 17] = [
+        Self::AkineticShare,
+        Self::Median,
+        Self::RelativeSpread,
+        Self::EjectionFraction,
+        Self::EdvIndex,
+        Self::EsvIndex,
+        Self::MassIndex,
+        Self::MassToVolume,
+        Self::WallEd,
+        Self::ThickestEd,
+        Self::ThicknessRatio,
+        Self::WallEs,
+        Self::ThickestEs,
+        Self::SphericityEd,
+        Self::SphericityEs,
+        Self::InwardSpread,
+        Self::InwardTenth,
+    ];
+
+    /// Lengths, which mean something only in millimetres.
+    pub(super) const THICKNESSES: [Self; 4] = [
+        Self::WallEd,
+        Self::ThickestEd,
+        Self::WallEs,
+        Self::ThickestEs,
+    ];
 
     /// In words.
     pub fn name(self) -> &'static str {
@@ -95,6 +167,37 @@ impl Feature {
             Self::MeanPoseDistance => "mean pose distance",
             Self::NormalSpread => "angular SD of ANV",
             Self::MeanPositionDistance => "distance of the mean position from the medial surface",
+            Self::EjectionFraction => "ejection fraction",
+            Self::EdvIndex => "end-diastolic volume index",
+            Self::EsvIndex => "end-systolic volume index",
+            Self::MassIndex => "mass index",
+            Self::MassToVolume => "mass to volume ratio",
+            Self::WallEd => "wall thickness at end-diastole",
+            Self::ThickestEd => "greatest wall thickness at end-diastole",
+            Self::ThicknessRatio => "ratio of greatest to median wall thickness",
+            Self::WallEs => "wall thickness at end-systole",
+            Self::ThickestEs => "greatest wall thickness at end-systole",
+            Self::SphericityEd => "sphericity at end-diastole",
+            Self::SphericityEs => "sphericity at end-systole",
+            Self::InwardSpread => "heterogeneity of inward motion",
+            Self::InwardTenth => "10th percentile of inward motion",
+        }
+    }
+
+    /// What it is counted in; empty for a ratio.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Median
+            | Self::Spread
+            | Self::TenthPercentile
+            | Self::Remote
+            | Self::UpperRange => "ln PT",
+            Self::NormalSpread => "rad",
+            Self::EdvIndex | Self::EsvIndex => "ml/m²",
+            Self::MassIndex => "g/m²",
+            Self::MassToVolume => "g/ml",
+            Self::WallEd | Self::ThickestEd | Self::WallEs | Self::ThickestEs => "mm",
+            _ => "",
         }
     }
 }
@@ -109,7 +212,12 @@ impl Features {
         let VerdictInput { beat, thickening } = *heart;
         let rest = positions(beat, thickening.end_diastole);
         let areas = regular_areas(beat, &rest);
+        // Near a cut a ratio of thicknesses is not one of the same tissue, and still wall there means nothing.
+        let away: Vec<f64> = (areas.iter().zip(&thickening.at_edge))
+            .map(|(area, at_edge)| if *at_edge { 0.0 } else { *area })
+            .collect();
         let values = Weighted::new(&thickening.averaged, &areas);
+        let values_away = Weighted::new(&thickening.averaged, &away);
         let akinetic = AKINETIC_PT.ln();
         // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();
@@ -118,9 +226,17 @@ impl Features {
         });
         let remote = thickening.remote;
         let spread = values.deviation();
+        let thickness = |pose: usize| {
+            let thickness: Vec<f64> = (beat.frames[pose].atoms.iter())
+                .map(|atom| 2.0 * atom.radius)
+                .collect();
+            Weighted::new(&thickness, &areas)
+        };
+        let at_end_diastole = thickness(thickening.end_diastole);
+        let contracted = thickness(thickening.end_systole);
         Self(Feature::ALL.map(|feature| {
             match feature {
-                Feature::AkineticShare => Some(values.share_below(akinetic)),
+                Feature::AkineticShare => Some(values_away.share_below(akinetic)),
                 Feature::Median => Some(values.quantile(0.5)),
                 Feature::Spread => Some(spread),
                 // Where hardly anything thickens a ratio to that would be noise.
@@ -141,6 +257,15 @@ impl Features {
                 Feature::MeanPoseDistance => temporal_consistency.pose_distance,
                 Feature::NormalSpread => temporal_consistency.normal_spread_rad,
                 Feature::MeanPositionDistance => temporal_consistency.gap,
+                Feature::WallEd => Some(at_end_diastole.quantile(0.5)),
+                Feature::ThickestEd => Some(at_end_diastole.quantile(GREATEST)),
+                Feature::ThicknessRatio => {
+                    Some(at_end_diastole.quantile(GREATEST) / at_end_diastole.quantile(0.5))
+                }
+                Feature::WallEs => Some(contracted.quantile(0.5)),
+                Feature::ThickestEs => Some(contracted.quantile(GREATEST)),
+                // Those of the whole heart are added from its surfaces.
+                _ => None,
             }
         }))
     }
@@ -156,11 +281,23 @@ impl Features {
             .find(|&feature| self.get(feature).is_some_and(|value| !value.is_finite()))
     }
 
-    /// What the classifier reads, in the order of [`Feature::MODEL_FEATURES`]; these are always known.
-    pub(super) fn model_features(&self) -> Vec<f64> {
-        (Feature::MODEL_FEATURES.into_iter())
-            .map(|feature| self.get(feature).unwrap_or(0.0))
-            .collect()
+    /// Says one of them, or that it is not known.
+    pub(super) fn set(&mut self, feature: Feature, value: Option<f64>) {
+        self.0[feature as usize] = value;
+    }
+
+    /// What is no finite number is not known.
+    pub(super) fn without_infinite(&mut self) {
+        for value in &mut self.0 {
+            *value = value.filter(|value| value.is_finite());
+        }
+    }
+
+    /// What the classifier reads, in the order of [`Feature::MODEL_FEATURES`].
+    pub(super) fn model_features(&self) -> Vec<Option<f64>> {
+        Feature::MODEL_FEATURES
+            .map(|feature| self.get(feature))
+            .to_vec()
     }
 }
 
@@ -210,57 +347,5 @@ fn compactness(patch: &Patch, positions: &[Point3]) -> f64 {
         (4.0 * PI * patch.area / (length * length)).min(1.0)
     } else {
         0.0
-    }
-}
-
-/// Values with areas, in rising order.
-struct Weighted {
-    sorted: Vec<[f64; 2]>,
-    whole: f64,
-}
-
-impl Weighted {
-    fn new(values: &[f64], areas: &[f64]) -> Self {
-        let mut sorted: Vec<[f64; 2]> = (values.iter().zip(areas))
-            // Atoms without area are those that take no part.
-            .filter(|(_, area)| **area > 0.0)
-            .map(|(&value, &area)| [value, area])
-            .collect();
-        sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let whole = sorted.iter().map(|[_, area]| area).sum();
-        Self { sorted, whole }
-    }
-
-    fn share_below(&self, limit: f64) -> f64 {
-        let below: f64 = (self.sorted.iter())
-            .take_while(|[value, _]| *value < limit)
-            .map(|[_, area]| area)
-            .sum();
-        // A sum of nothing is −0.
-        (below + 0.0) / self.whole
-    }
-
-    /// Value below which a share of the area lies.
-    fn quantile(&self, share: f64) -> f64 {
-        let mut below = 0.0;
-        for [value, area] in &self.sorted {
-            below += area;
-            if below >= share * self.whole {
-                return *value;
-            }
-        }
-        self.sorted.last().map_or(f64::NAN, |[value, _]| *value)
-    }
-
-    fn deviation(&self) -> f64 {
-        let mean = |f: &dyn Fn(f64) -> f64| -> f64 {
-            self.sorted
-                .iter()
-                .map(|[value, area]| area * f(*value))
-                .sum::<f64>()
-                / self.whole
-        };
-        let middle = mean(&|value| value);
-        mean(&|value| (value - middle).powi(2)).sqrt()
     }
 }

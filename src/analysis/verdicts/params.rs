@@ -3,8 +3,6 @@
 /// Settings of verdicts; [`VerdictParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VerdictParams {
-    /// Penalty λ on the squared weights of the classifier, against a log-likelihood of one unit per case.
-    pub ridge: f64,
     /// Fewest assessed subjects of each role from which a classifier is trained.
     pub min_labelled: u32,
     /// Least share of its volume at end-diastole that the wall still has at end-systole. Myocardium keeps
@@ -17,12 +15,10 @@ pub struct VerdictParams {
 }
 
 impl Default for VerdictParams {
-    /// λ = 1 halves a weight that one case speaks for and hardly touches one that twenty do. The least
-    /// wall volume lies between what real walls have (the least of 125 that are resolved: 0.89) and
+    /// The least wall volume lies between what real walls have (the least of 125 that are resolved: 0.89) and
     /// blurred ones (the greatest of 16: 0.79). 200 permutations tell p to half a per cent.
     fn default() -> Self {
         Self {
-            ridge: 1.0,
             min_labelled: 5,
             min_wall_volume: 0.85,
             permutations: 200,
@@ -67,8 +63,6 @@ impl VerdictParams {
     /// If a number is out of range or not a number.
     pub fn check(self) -> Result<CheckedVerdictParams, VerdictParamError> {
         let ranges = [
-            // Below, separable classes have no finite solution; above, only the mean is left.
-            ("ridge", self.ridge, 1e-3, 1e3),
             // With one of a class nothing is left of it when that one is left out.
             (
                 "minimum number of labelled subjects of each class",

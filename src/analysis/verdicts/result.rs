@@ -3,15 +3,15 @@
 use crate::analysis::classification::Accuracy;
 use crate::analysis::thickening::Extent;
 
-use super::features::Features;
+use super::features::{Feature, Features};
 
 /// What a verdict needs of one subject.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Examined {
     /// Model features, and what else describes the subject.
     pub features: Features,
-    /// What the whole wall does.
-    pub extent: Extent,
+    /// What the whole wall does; `None` of a subject without a wall, of which other features are left.
+    pub extent: Option<Extent>,
     /// Share of the wall in patches, 0..=1.
     pub patched: f64,
 }
@@ -48,6 +48,9 @@ pub enum NotAssessed {
         /// Thickening of remote myocardium, in ln PT.
         remote: f64,
     },
+    /// Its meshes are not like those that a rule was learnt on.
+    #[error("not comparable: {0}")]
+    NotComparable(String),
     /// A feature is not a finite number.
     #[error("{feature} is not a finite number")]
     NotFinite {
@@ -59,10 +62,12 @@ pub enum NotAssessed {
 /// What the classifier and the patch detection say together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Finding {
-    /// Thickens as normal subjects do.
+    /// As normal subjects are.
     Nothing,
-    /// A part of the wall does not thicken.
+    /// Abnormal, and a part of the wall does not thicken.
     Patch,
+    /// A part of the wall does not thicken; whether that is abnormal no classifier says.
+    LowThickening,
     /// The whole wall hardly thickens, or thickens too little without a part that stands out.
     GlobalHypokinesia,
     /// Unlike the normal subjects, but the wall thickens and no part of it is akinetic.
@@ -70,11 +75,26 @@ pub enum Finding {
 }
 
 impl Finding {
+    /// In words, of a subject whose wall was assessed or not.
+    pub fn words(self, wall: bool) -> &'static str {
+        match (wall, self) {
+            (true, _) => self.name(),
+            (false, Self::Nothing) => "normal, wall not assessed",
+            (false, _) => "abnormal, wall not assessed",
+        }
+    }
+
+    /// Whether it is one of a patch, abnormal or not.
+    pub fn is_patch(self) -> bool {
+        matches!(self, Self::Patch | Self::LowThickening)
+    }
+
     /// In words, as tables and views say it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Nothing => "no regional abnormality",
             Self::Patch => "abnormal patch",
+            Self::LowThickening => "patch of low thickening",
             Self::GlobalHypokinesia => "global hypokinesia",
             Self::WithoutPatch => "abnormal without a patch",
         }
@@ -84,12 +104,31 @@ impl Finding {
 /// How near a subject lies to the training set, by the classifier's standardised features.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainingSetDistance {
-    /// Distance to the nearest subject of the training set, itself left out.
+    /// Distance to the nearest subject of the training set, itself left out; of a rule, which has no subjects, the root mean
+    /// square distance from their mean.
     pub distance: f64,
     /// Median of the same distance within the training set.
     pub median: f64,
     /// Share of the training set that lies at least as far from the others: near 0, the subject is unlike all of it.
     pub as_far: f64,
+}
+
+/// One of the labels of the study, and how probable it is that a subject is of that kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kind {
+    /// The label.
+    pub label: String,
+    /// Calibrated, one kind against the rest, and scaled so that those of all kinds have the sum 1.
+    pub probability: f64,
+}
+
+/// What one feature has to do with a verdict.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reason {
+    /// The feature.
+    pub feature: Feature,
+    /// What it adds to the log odds of abnormal, beside the mean of the training set.
+    pub log_odds: f64,
 }
 
 /// The verdict on one subject.
@@ -112,6 +151,21 @@ pub struct Verdict {
     pub similar_abnormal: Vec<usize>,
     /// How near it lies to the training set; `None` for default thresholds, which have none.
     pub training_set_distance: Option<TrainingSetDistance>,
+    /// Whether its wall could be assessed; otherwise the verdict is by what is left, and says nothing of regions.
+    pub wall: bool,
+    /// Of which kind it is, the most probable first; empty where there are fewer than three kinds to tell.
+    pub kinds: Vec<Kind>,
+    /// The features that speak most for its class, the strongest first.
+    pub reasons: Vec<Reason>,
+    /// Model features outside the range that a rule has seen; empty without a rule.
+    pub outside: Vec<Feature>,
+}
+
+impl Verdict {
+    /// In words, as tables and views say it.
+    pub fn words(&self) -> &'static str {
+        self.finding.words(self.wall)
+    }
 }
 
 /// Where the classifier comes from.
@@ -122,6 +176,13 @@ pub enum ClassifierSource {
         /// Assessed subjects with a normal label.
         normal: usize,
         /// And with an abnormal one.
+        abnormal: usize,
+    },
+    /// A rule that was learnt on another study.
+    Rule {
+        /// Normal subjects of that study.
+        normal: usize,
+        /// And abnormal ones.
         abnormal: usize,
     },
     /// Default thresholds, since too few subjects with a label could be assessed: the number is an uncalibrated score.
@@ -149,6 +210,26 @@ pub struct ClassifierQuality {
     pub auc_baseline: f64,
     /// Share of permutations at least as good, those labels that are one of them.
     pub auc_p_value: f64,
+    /// How often the kind is right; `None` where there are fewer than three to tell.
+    pub kinds: Option<KindQuality>,
+}
+
+/// How often the most probable kind is the label, leave-one-out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct KindQuality {
+    /// Right of …
+    pub correct: usize,
+    /// … so many subjects.
+    pub of: usize,
+    /// As many have the most frequent label: always saying that would be right so often.
+    pub largest_kind: usize,
+}
+
+impl ClassifierSource {
+    /// Whether its numbers are probabilities.
+    pub fn is_calibrated(self) -> bool {
+        !matches!(self, Self::Uncalibrated { .. })
+    }
 }
 
 /// The verdicts on all subjects of a study.

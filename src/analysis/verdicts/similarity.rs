@@ -52,6 +52,42 @@ pub(super) fn training_set_distance(
     })
 }
 
+/// Root mean square of a standardised row: how many standard deviations it lies from the mean, per feature.
+pub(super) fn distance_from_mean(row: &[f64]) -> f64 {
+    (row.iter().map(|x| x * x).sum::<f64>() / row.len().max(1) as f64).sqrt()
+}
+
+/// Steps between the quantiles of a rule.
+const STEPS: usize = 20;
+
+/// The quantiles 0, 5 … 100 %.
+pub(super) fn quantiles(mut values: Vec<f64>) -> Vec<f64> {
+    values.sort_by(f64::total_cmp);
+    let last = values.len().saturating_sub(1);
+    (0..=STEPS)
+        .filter_map(|step| values.get((step * last + STEPS / 2) / STEPS).copied())
+        .collect()
+}
+
+/// A distance beside ascending quantiles of those of a training set, which a rule has in the place of subjects.
+pub(super) fn distance_among(quantiles: &[f64], distance: f64) -> Option<TrainingSetDistance> {
+    let above = quantiles.partition_point(|&other| other < distance);
+    let as_far = match above {
+        0 => 1.0,
+        above if above == quantiles.len() => 0.0,
+        above => {
+            let [low, high] = [quantiles[above - 1], quantiles[above]];
+            let below = (above - 1) as f64 + (distance - low) / (high - low);
+            1.0 - below / (quantiles.len() - 1) as f64
+        }
+    };
+    Some(TrainingSetDistance {
+        distance,
+        median: *quantiles.get(quantiles.len() / 2)?,
+        as_far,
+    })
+}
+
 fn nearest(rows: &[Vec<f64>], of: usize, among: &[usize]) -> Option<f64> {
     (among.iter())
         .filter(|&&other| other != of)
@@ -65,4 +101,34 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
         .map(|(a, b)| (a - b).powi(2))
         .sum::<f64>()
         .sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_distance_lies_among_quantiles_where_it_lies_among_the_values() {
+        let quantiles = quantiles((0..201).map(f64::from).rev().collect());
+        assert_eq!(
+            (quantiles.len(), quantiles[1], quantiles[20]),
+            (21, 10.0, 200.0)
+        );
+        for (distance, as_far) in [
+            (0.0, 1.0),
+            (50.0, 0.75),
+            (105.0, 0.475),
+            (200.0, 0.0),
+            (900.0, 0.0),
+        ] {
+            let found = distance_among(&quantiles, distance).unwrap();
+            assert!(
+                (found.as_far - as_far).abs() < 1e-12,
+                "{distance}: {found:?}"
+            );
+            assert_eq!((found.median, found.distance), (100.0, distance));
+        }
+        assert_eq!(distance_from_mean(&[3.0, -3.0]), 3.0);
+        assert_eq!(distance_among(&[], 1.0), None);
+    }
 }

@@ -18,6 +18,7 @@ pub fn apply(state: &mut State, command: MapCommand, moment: &Moment) {
         MapCommand::SetMetric(kind) => d.map.distances.metric.kind = kind,
         MapCommand::SetMapMethod(method) => d.map.method = method,
         MapCommand::SetDeformationMap(params) => d.deformation_map = params,
+        MapCommand::SetComparison(comparison) => d.deformation_map.comparison = comparison,
         MapCommand::ResetMaps => {
             d.map = PoseMapQuery::default();
             d.deformation_map = DeformationMapParams::default();

@@ -1,8 +1,8 @@
 //! What the time bar shows of the selected subject.
 
 use crate::document::State;
-use crate::panes::beat::{between_words_of, line_note};
 use crate::panes::cycle_axis::CycleAxis;
+use crate::panes::pose_words::{between_words_of, line_note};
 
 use super::time_bar::TimeBarView;
 

@@ -64,12 +64,19 @@ impl Query for ClassesQuery {
         let mapping = "embedding deformations";
         let (map, share) = cx.first(mapping, &self.deformations, DEFORMATION_MAP_SHARE)?;
         let part = cx.part("classifying", share, 1.0);
-        let poses = part.get(&PoseDistancesQuery(self.deformations.poses.distances))?;
         let (study, progress) = (cx.study(), part.progress());
-        let deformations = deformation_distances(study, &poses, progress)?;
+        let of_curves;
+        let distances = match &map.parts {
+            Some(mapped) => &mapped.distances,
+            None => {
+                let poses = part.get(&PoseDistancesQuery(self.deformations.poses.distances))?;
+                of_curves = deformation_distances(study, &poses, progress)?.distances;
+                &of_curves
+            }
+        };
         // Copies of a subject would be tested on themselves.
         let once = Copies::of(&study.subjects).labels_once(&study.subjects);
-        let labels: Vec<Option<&str>> = (deformations.subjects.iter())
+        let labels: Vec<Option<&str>> = (map.subjects.iter())
             .map(|&index| {
                 let label = once.get(index).copied().flatten()?;
                 match (self.by, study.label_roles.role(Some(label))) {
@@ -81,7 +88,6 @@ impl Query for ClassesQuery {
             })
             .collect();
         progress.begin_phase("classifying", 0.0, 1.0);
-        let distances = &deformations.distances;
         Ok(classify(
             distances,
             &map.embedding,

@@ -1,19 +1,32 @@
 //! The map of whole deformations.
 
-use crate::analysis::deformations::{DeformationMap, DeformationMapParams, deformation_map};
+use crate::analysis::deformations::{
+    Comparison, DeformationMap, DeformationMapParams, PartParams, PartWeights, deformation_map,
+    map_of_parts,
+};
+use crate::engine::queries::deformation_parts::{
+    DeformationPartsQuery, deformation_distance_words, parts_bytes,
+};
 use crate::engine::queries::pose_map::{PoseMapQuery, map_words};
 use crate::engine::store::{Context, Interrupted, Memory, Query};
 
-/// Share of the time of a deformation map that its pose map takes.
-const POSE_MAP_SHARE: f32 = 0.95;
+/// Share of the time of a deformation map that its distances or its pose map take.
+const DISTANCE_SHARE: f32 = 0.95;
 
 /// Settings of the map of whole deformations.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DeformationMapQuery {
-    /// The pose map on which deformations are curves.
+    /// The metric by which deformations are compared, and the pose map on which they are curves.
     pub poses: PoseMapQuery,
-    /// How curves become a map.
+    /// What is compared, and how it becomes a map.
     pub map: DeformationMapParams,
+}
+
+impl DeformationMapQuery {
+    /// How both parts of distances are computed.
+    pub fn parts(&self) -> PartParams {
+        PartParams::like(&self.poses.distances, self.map.smoothing)
+    }
 }
 
 impl Query for DeformationMapQuery {
@@ -27,7 +40,18 @@ impl Query for DeformationMapQuery {
 
     fn run(&self, cx: &Context<'_>) -> Result<DeformationMap, Interrupted> {
         let params = self.map.check()?;
-        let (poses, share) = cx.first("embedding poses", &self.poses, POSE_MAP_SHARE)?;
+        if let Comparison::Parts(weights) = self.map.comparison {
+            let comparing = "comparing deformations";
+            let (parts, share) = cx.first(
+                comparing,
+                &DeformationPartsQuery(self.parts()),
+                DISTANCE_SHARE,
+            )?;
+            cx.progress()
+                .begin_phase("embedding deformations", share, 1.0);
+            return Ok(map_of_parts(&parts, weights, &params, cx.progress())?);
+        }
+        let (poses, share) = cx.first("embedding poses", &self.poses, DISTANCE_SHARE)?;
         let progress = cx.progress();
         progress.begin_phase("embedding deformations", share, 1.0);
         let rows = &poses.distances.poses;
@@ -46,6 +70,10 @@ impl Query for DeformationMapQuery {
             memory.own(size_of_val(&**curve));
         }
         memory.own(size_of_val(&*map.embedding.coordinates));
+        if let Some(mapped) = &map.parts {
+            memory.own(size_of_val(mapped.distances.upper()));
+            memory.shared(&mapped.parts, parts_bytes(&mapped.parts));
+        }
     }
 
     fn replaces(&self, _: &Self) -> bool {
@@ -53,16 +81,21 @@ impl Query for DeformationMapQuery {
     }
 }
 
-/// Settings of a deformation map, as the activity list says them.
-pub(super) fn deformation_words(settings: &DeformationMapQuery) -> String {
-    let DeformationMapParams {
-        time_weight,
-        neighbours,
-        ..
-    } = settings.map;
+/// Settings of a deformation map, as summaries and the activity list say them.
+pub fn deformation_words(settings: &DeformationMapQuery) -> String {
+    let map = &settings.map;
     let chosen = |typed: Option<String>| typed.unwrap_or_else(|| "automatic".to_owned());
-    let time = chosen(time_weight.map(|w| w.to_string()));
-    let neighbours = chosen(neighbours.map(|k| k.to_string()));
-    let poses = map_words(&settings.poses);
-    format!("{poses}, time weight {time}, neighbours {neighbours}")
+    let neighbours = chosen(map.neighbours.map(|k| k.to_string()));
+    let compared = match map.comparison {
+        Comparison::Parts(PartWeights { deformation, shape }) => format!(
+            "{} by {}, weights {deformation} and {shape}",
+            map.comparison.name(),
+            deformation_distance_words(&settings.parts())
+        ),
+        Comparison::Poses => {
+            let time = chosen(map.time_weight.map(|w| w.to_string()));
+            format!("{}, time weight {time}", map_words(&settings.poses))
+        }
+    };
+    format!("{compared}, neighbours {neighbours}")
 }

@@ -179,3 +179,20 @@ fn words(params: &GeodesicParams) -> String {
 fn path_bytes(path: &GeodesicPath) -> usize {
     path.poses.iter().map(|pose| size_of_val(&**pose)).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::phantom;
+    use crate::study::{SurfaceKind, SurfaceSequence};
+
+    #[test]
+    fn one_frame_has_no_interval_two_have_one_and_more_close_the_cycle() {
+        for (frames, intervals) in [(1, 0), (2, 1), (3, 3), (4, 4)] {
+            let frames = vec![phantom::sphere(1, 1.0); frames];
+            let surface = SurfaceSequence::new(SurfaceKind::Cavity, frames).unwrap();
+            let sequence = MeshSequence::new(vec![surface]).unwrap();
+            assert_eq!(interval_count(&sequence), intervals);
+        }
+    }
+}

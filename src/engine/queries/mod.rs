@@ -3,6 +3,7 @@
 mod classes;
 mod contribution;
 mod deformation_map;
+mod deformation_parts;
 mod estimated_pose;
 mod interpolated_poses;
 mod measures;
@@ -21,6 +22,7 @@ mod verdicts;
 pub use classes::*;
 pub use contribution::*;
 pub use deformation_map::*;
+pub use deformation_parts::*;
 pub use estimated_pose::*;
 pub use interpolated_poses::*;
 pub use measures::*;

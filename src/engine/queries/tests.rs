@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use super::*;
 use crate::analysis::classification::ClassesParams;
-use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::deformations::{
+    Comparison, DeformationMap, DeformationMapParams, PartWeights,
+};
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::geodesics::GeodesicParams;
 use crate::analysis::metrics::{MetricKind, MetricParams};
@@ -189,7 +191,13 @@ fn transfer() -> MotionTransportQuery {
 #[test]
 fn deformations_are_mapped_from_the_map_of_poses_that_is_there() {
     let (study, store) = (study(), store());
-    let settings = DeformationMapQuery::default();
+    let settings = DeformationMapQuery {
+        map: DeformationMapParams {
+            comparison: Comparison::Poses,
+            ..DeformationMapParams::default()
+        },
+        ..DeformationMapQuery::default()
+    };
     let poses = ask(&store, &study, &settings.poses);
     let map = ask(&store, &study, &settings);
     assert_eq!(map.subjects, [0, 1, 2, 3]);
@@ -198,7 +206,7 @@ fn deformations_are_mapped_from_the_map_of_poses_that_is_there() {
     assert_eq!(poses.embedding.point(16), [begin[0], begin[1]]);
     let heavier = DeformationMapQuery {
         map: DeformationMapParams {
-            time_weight: Some(2.0 * map.time_weight),
+            time_weight: map.time_weight.map(|weight| 2.0 * weight),
             ..settings.map
         },
         ..settings
@@ -223,7 +231,7 @@ fn classes_are_classified_on_the_rows_of_the_deformation_map() {
     let relabelled = edited(&study, 0, |subject| subject.label = None);
     let again = ask(&store, &relabelled, &classes());
     assert_eq!(again.nearest_neighbour.unwrap().of, 9);
-    assert_eq!(store.answers::<PoseDistancesQuery>(), 1);
+    assert_eq!(store.answers::<DeformationPartsQuery>(), 1);
 }
 
 #[test]
@@ -350,7 +358,8 @@ fn times_of_frames_are_read_by_deformations_and_not_by_walls() {
     });
     let after = (ask(&store, &later, &wall), ask(&store, &later, &map));
     assert!(Arc::ptr_eq(&before.0, &after.0));
-    assert_ne!(before.1.curves[1], after.1.curves[1]);
+    let apart = |map: &DeformationMap| map.parts.as_ref().unwrap().parts.deformation.get(0, 1);
+    assert_ne!(apart(&before.1), apart(&after.1));
 }
 
 #[test]

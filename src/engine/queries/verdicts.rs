@@ -1,8 +1,8 @@
 //! Verdicts on all subjects of a study: walls one after the other, then a classifier trained on the labels.
 
 use crate::analysis::verdicts::{
-    CheckedVerdictParams, Examined, NotAssessed, VerdictInput, VerdictParams, Verdicts, examine,
-    verdicts,
+    CheckedVerdictParams, Examined, NotAssessed, Rule, VerdictInput, VerdictParams, Verdicts,
+    examine, learn, verdicts,
 };
 use crate::engine::queries::thickening::{
     ThickeningSettings, WallThickeningQuery, thickening_words,
@@ -30,20 +30,38 @@ impl Query for VerdictQuery {
 
     fn parameters(&self) -> String {
         let VerdictParams {
-            ridge,
-            permutations,
-            seed,
-            ..
+            permutations, seed, ..
         } = self.verdicts;
         let walls = thickening_words(&self.thickening);
-        format!("{walls}; ridge {ridge}, {permutations} permutations, seed {seed}")
+        format!("{walls}; {permutations} permutations, seed {seed}")
     }
 
     /// A subject whose wall cannot be assessed is no error.
     fn run(&self, cx: &Context<'_>) -> Result<Verdicts, Interrupted> {
         let params = self.verdicts.check()?;
+        let examined = self.examined(cx, &params)?;
+        let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
+        Ok(verdicts(cx.study(), &examined, &params, part.progress())?)
+    }
+
+    fn memory(verdicts: &Verdicts, memory: &mut Memory) {
+        memory.own(size_of_val(&*verdicts.subjects));
+    }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl VerdictQuery {
+    /// What a verdict reads of every wall of the study.
+    fn examined(
+        &self,
+        cx: &Context<'_>,
+        params: &CheckedVerdictParams,
+    ) -> Result<Vec<Result<Examined, NotAssessed>>, Stopped> {
         let count = cx.study().subjects.len();
-        let examined = (0..count)
+        (0..count)
             .map(|subject| {
                 let share = |done: usize| WALLS_SHARE * done as f32 / count as f32;
                 let part = cx.part("assessing walls", share(subject), share(subject + 1));
@@ -51,15 +69,35 @@ impl Query for VerdictQuery {
                     subject,
                     settings: self.thickening,
                 };
-                examined(&part.get(&wall), &params)
+                examined(&part.get(&wall), params)
             })
-            .collect::<Result<Vec<_>, Stopped>>()?;
-        let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
-        Ok(verdicts(cx.study(), &examined, &params, part.progress())?)
+            .collect()
+    }
+}
+
+/// The rule that is learnt from a study with these settings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RuleQuery(pub VerdictQuery);
+
+impl Query for RuleQuery {
+    type Answer = Rule;
+    const TITLE: &'static str = "Rule";
+    const FAILURE: Option<&'static str> = Some("No classifier could be trained");
+    const URGENCY: Urgency = Urgency::Background;
+
+    fn parameters(&self) -> String {
+        self.0.parameters()
     }
 
-    fn memory(verdicts: &Verdicts, memory: &mut Memory) {
-        memory.own(size_of_val(&*verdicts.subjects));
+    fn run(&self, cx: &Context<'_>) -> Result<Rule, Interrupted> {
+        let params = self.0.verdicts.check()?;
+        let examined = self.0.examined(cx, &params)?;
+        let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
+        Ok(learn(cx.study(), &examined, &params, part.progress())?)
+    }
+
+    fn memory(rule: &Rule, memory: &mut Memory) {
+        memory.own(size_of_val(&*rule.features));
     }
 
     fn replaces(&self, _: &Self) -> bool {

@@ -1,6 +1,6 @@
 //! What of a study an answer depends on: it stays true as long as that stays as it is.
 
-use crate::study::{Anatomy, Revision, SequenceId, ShapeKey, Study};
+use crate::study::{Anatomy, CycleTiming, Revision, SequenceId, ShapeKey, Study};
 use crate::units::LengthUnit;
 
 /// The state of what an answer was computed from. Equal dependencies, equal answers.
@@ -11,6 +11,8 @@ pub struct Dependencies {
     cohort: bool,
     /// `None` for a subject that does not exist.
     subjects: Vec<Option<SubjectKey>>,
+    /// Times of frames, one entry a subject; empty where they are not read.
+    times: Vec<CycleTiming>,
 }
 
 /// What was read of a subject; `None` for what was not read.
@@ -66,6 +68,15 @@ impl Dependencies {
         Self {
             cohort: true,
             ..Self::shapes(study, 0..study.subjects.len())
+        }
+    }
+
+    /// On surfaces, end-diastole and times of frames of all subjects.
+    pub fn all_motions(study: &Study) -> Self {
+        let times = study.subjects.iter().map(|subject| subject.timing.clone());
+        Self {
+            times: times.collect(),
+            ..Self::all_shapes(study)
         }
     }
 
@@ -125,6 +136,7 @@ impl Dependencies {
             revision: None,
             cohort: false,
             subjects: subjects.into_iter().map(key).collect(),
+            times: Vec::new(),
         }
     }
 }

@@ -6,15 +6,14 @@ use std::path::{Path, PathBuf};
 use super::folder_contents::{Entries, FileRole, Loose, Sheets, folder_name, role};
 use super::folders::{Folders, MAX_ENTRIES, What};
 use super::group_files::stem;
-use super::natural_order::natural_order;
 use super::plan::StudyPlan;
 use super::read_file::{name_of, read_text};
 use super::series_files::{Series, SeriesFault, is_series, read_series};
 use crate::io::formats::MANIFEST_EXTENSION;
 use crate::io::{Limits, OpenError, openable_extensions};
 use crate::progress::{Progress, Stopped};
-use crate::study::Notice;
 use crate::study::checks::counted;
+use crate::study::{Notice, natural_order};
 
 /// Folders within folders that are followed.
 const DEEPEST: usize = 8;

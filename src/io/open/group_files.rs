@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use super::file_name::{MeshName, NameParts, PhaseUse, Reading};
 use super::frame_facts::{take_facts, word_of_frame};
 use super::frame_name::FrameName;
-use super::natural_order::natural_order;
 use super::one_ending::one_ending;
 use super::plan::SeriesTimes;
 use super::plan::{KindPlan, Stated, SubjectPlan, SurfacePlan};
@@ -14,7 +13,7 @@ use super::read_file::name_of;
 use super::readings::read_names;
 use crate::io::OpenError;
 use crate::study::checks::counted;
-use crate::study::{Notice, SurfaceKind};
+use crate::study::{Notice, SurfaceKind, natural_order};
 
 /// A mesh file, or a series of them that another file lists.
 #[derive(Clone, Debug, Default)]

@@ -9,10 +9,9 @@ use super::find_sequences::Search;
 use super::folder_contents::{FileRole, Loose, role};
 use super::folders::composed;
 use super::group_files::{LooseFile, group_files, stem};
-use super::natural_order::natural_order;
 use super::read_file::{name_of, read_bytes, read_head};
 use crate::progress::Stopped;
-use crate::study::{Notice, SurfaceKind};
+use crate::study::{Notice, SurfaceKind, natural_order};
 
 /// Bytes in which a table of points and faces shows what it is.
 const TABLE_HEAD: u64 = 64 << 10;

@@ -19,7 +19,6 @@ mod listed_files;
 mod loose_files;
 mod manifest_subjects;
 mod name_words;
-mod natural_order;
 mod one_ending;
 mod patterns;
 mod plan;

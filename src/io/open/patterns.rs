@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use super::folder_contents::{FileRole, role};
 use super::folders::{Folders, MAX_ENTRIES, What, composed, existing};
 use super::group_files::stem;
-use super::natural_order::natural_order;
 use super::read_file::name_of;
 use super::readings::read_names;
 use crate::progress::{Progress, Stopped};
+use crate::study::natural_order;
 
 /// Whether a pattern stands for several names.
 pub(super) fn has_wildcard(pattern: &str) -> bool {

@@ -6,9 +6,9 @@ use super::file_name::mesh_name;
 use super::find_sequences::Search;
 use super::folder_contents::{FileRole, Origin, Sheets, folder_name, role};
 use super::group_files::stem;
-use super::natural_order::natural_order;
 use super::read_file::name_of;
 use crate::progress::Stopped;
+use crate::study::natural_order;
 
 impl Search<'_> {
     /// Folders that are named after a surface or a part of the heart, and hold its frames; and the others.

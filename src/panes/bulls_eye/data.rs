@@ -33,7 +33,7 @@ fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) 
     let what = match standing {
         PatchStanding::NoVerdict => "",
         PatchStanding::Abnormal => " · abnormal",
-        PatchStanding::LowThickening => " · low thickening",
+        PatchStanding::Patch | PatchStanding::LowThickening => " · low thickening",
     };
     let part = part_name(standing, index);
     format!("{part}{what} · {} of the LV", percent(share))

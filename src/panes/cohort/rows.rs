@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
+use crate::analysis::measures::EF_RANGE;
 use crate::document::{CohortColumn, CohortSort};
-use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::panes::verdict_marks::VerdictMark;
 use crate::report::SubjectRow;
-use crate::study::LabelRole;
+use crate::study::{LabelRole, natural_order};
 use crate::ui::LabelMark;
 use crate::ui::marks::role_name;
 
@@ -78,8 +78,8 @@ impl CohortRow {
     /// "Ejection fraction 56 %, normal 52–74 %".
     pub fn ejection_fraction_in_words(&self) -> Option<String> {
         let percent = self.ejection_fraction_text()?;
-        let range = EJECTION_FRACTION.short;
-        Some(format!("Ejection fraction {percent} %, {range}"))
+        let range = EF_RANGE.words();
+        Some(format!("Ejection fraction {percent} %, normal {range}"))
     }
 }
 
@@ -111,8 +111,8 @@ pub(super) const COLUMNS: [CohortColumnSpec; 5] = [
     CohortColumnSpec {
         column: CohortColumn::Role,
         heading: "",
-        sort_by: "Sort by Role",
-        sort_hint: "Sort by Role",
+        sort_by: "Sort by Class",
+        sort_hint: "Sort by Class",
         text: |row| Some(role_name(row.role).to_owned()),
         sort_key: |row| Some(SortKey::Numbers([f64::from(row.role as u8), 0.0])),
     },
@@ -220,43 +220,6 @@ fn missing_last<T>(a: Option<T>, b: Option<T>, compare: impl Fn(T, T) -> Orderin
         (None, Some(_)) => Ordering::Greater,
         (None, None) => Ordering::Equal,
     }
-}
-
-/// Text order in which runs of digits count as numbers: P2 before P10.
-fn natural_order(a: &str, b: &str) -> Ordering {
-    let (mut a, mut b) = (a.chars().peekable(), b.chars().peekable());
-    loop {
-        match (a.peek().copied(), b.peek().copied()) {
-            (None, None) => return Ordering::Equal,
-            (None, Some(_)) => return Ordering::Less,
-            (Some(_), None) => return Ordering::Greater,
-            (Some(x), Some(y)) if x.is_ascii_digit() && y.is_ascii_digit() => {
-                let order = take_number(&mut a).cmp(&take_number(&mut b));
-                if order != Ordering::Equal {
-                    return order;
-                }
-            }
-            (Some(x), Some(y)) => {
-                let order = x.to_lowercase().cmp(y.to_lowercase());
-                if order != Ordering::Equal {
-                    return order;
-                }
-                a.next();
-                b.next();
-            }
-        }
-    }
-}
-
-/// A run of digits as (length without leading zeros, digits), which compares like its number.
-fn take_number(text: &mut std::iter::Peekable<std::str::Chars>) -> (usize, String) {
-    let mut digits = String::new();
-    while let Some(digit) = text.next_if(char::is_ascii_digit) {
-        if !(digits.is_empty() && digit == '0') {
-            digits.push(digit);
-        }
-    }
-    (digits.len(), digits)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Commands about metric and maps.
 
 use super::action::{Menu, Row, row};
-use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::deformations::{Comparison, DeformationMapParams, PartWeights};
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::{METRICS, MetricKind};
 use crate::engine::{ClassesBy, PoseMapQuery};
@@ -17,6 +17,8 @@ pub enum MapCommand {
     SetMapMethod(MapMethod),
     /// How whole deformations are mapped.
     SetDeformationMap(DeformationMapParams),
+    /// What of two beats is compared.
+    SetComparison(Comparison),
     /// All settings of metric and maps as they were at the start.
     ResetMaps,
     /// Whether subjects are told apart by their labels or by the classes of these.
@@ -32,6 +34,10 @@ pub enum MapCommand {
 #[rustfmt::skip]
 pub(super) static ACTIONS: &[Row<MapCommand>] = &[
     row(Menu::Analysis, 2, "Clusters of deformations", None, MapCommand::ToggleClusters),
+    row(Menu::Analysis, 3, "Deformation map: deformation", None, MapCommand::SetComparison(Comparison::Parts(PartWeights::DEFORMATION))),
+    row(Menu::Analysis, 3, "Deformation map: deformation + shape", None, MapCommand::SetComparison(Comparison::Parts(PartWeights::BOTH))),
+    row(Menu::Analysis, 3, "Deformation map: shape", None, MapCommand::SetComparison(Comparison::Parts(PartWeights::SHAPE))),
+    row(Menu::Analysis, 3, "Deformation map: curves of poses", None, MapCommand::SetComparison(Comparison::Poses)),
     row(Menu::Analysis, 2, "Classify by label", None, MapCommand::SetClassesBy(ClassesBy::Label)),
     row(Menu::Analysis, 2, "Classify normal and abnormal", None, MapCommand::SetClassesBy(ClassesBy::Role)),
     row(Menu::Analysis, 3, "Pose map: SMACOF", None, MapCommand::SetMapMethod(MapMethod::Smacof)),

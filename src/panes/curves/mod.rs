@@ -1,6 +1,7 @@
 //! Volumes over the cardiac cycle, with end-diastole, end-systole and the present position.
 
 pub(crate) mod spec;
+mod view;
 
 use egui::{
     Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,

@@ -2,12 +2,12 @@
 
 use egui::Ui;
 
-use crate::panes::beat::curves_view;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
 
 use super::curves_ui;
+use super::view::curves_view;
 
 impl Pane {
     /// Volumes over the cardiac cycle.

@@ -2,9 +2,11 @@
 
 use egui::Ui;
 
+use crate::analysis::deformations::Comparison;
 use crate::engine::{ClassesBy, DeformationMapQuery, Topic};
-use crate::panes::commands::Command;
+use crate::panes::commands::{Command, MapCommand};
 use crate::panes::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
+use crate::ui::controls::{choices_ui, chooser_ui};
 use crate::ui::style::{note, note_font};
 
 use super::classes::{self, ClassesView};
@@ -14,6 +16,8 @@ use super::classes::{self, ClassesView};
 pub struct DeformationMapView<'a> {
     /// Its points, and how the map stands.
     pub map: ScatterView<'a>,
+    /// What of two beats is compared.
+    pub comparison: Comparison,
     /// Size of the neighbourhoods that the map keeps.
     pub neighbours: Option<usize>,
     /// How far points are from what their neighbours say of them; no unit.
@@ -32,7 +36,8 @@ pub static DEFORMATION_MAP: MapWords = MapWords {
     name: "Deformation map",
     item: "Deformation",
     empty: "No deformations",
-    what: "Every subject is one point here; subjects with similar motion lie near each other.",
+    what: "Every subject is one point here; subjects that deform alike lie near each other, whatever their shape unless \
+           that is compared, too.",
     none: "The deformation map could not be computed",
     hints: &["Click to play this subject"],
     command: play,
@@ -47,9 +52,36 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &DeformationMapView, commands: &mut
     }
 }
 
-/// Draws what the map keeps and how well, for the header: short where there is little room.
+/// Draws what is compared, as a chooser, and beside it what the map keeps and how well: short where there is little room.
 ///
 /// `kept` points of the width are for what stands on the left.
+pub fn deformation_header_ui(
+    ui: &mut Ui,
+    view: &DeformationMapView,
+    kept: f32,
+    commands: &mut Vec<Command>,
+) {
+    // Without room for the chooser, menu and palette have its choices.
+    if ui.available_width() - kept > 150.0 {
+        let now = view.comparison.name();
+        let chooser = chooser_ui(ui, "Compare", now, |ui| {
+            let named = Comparison::NAMED.map(|comparison| (comparison.name(), comparison.name()));
+            let chosen = choices_ui(ui, named, now);
+            let wanted = Comparison::NAMED
+                .into_iter()
+                .find(|c| Some(c.name()) == chosen);
+            commands.extend(wanted.map(|wanted| MapCommand::SetComparison(wanted).into()));
+        });
+        chooser.on_hover_text(COMPARISONS);
+    }
+    deformation_note(ui, view, kept);
+}
+
+const COMPARISONS: &str = "Deformation: motion relative to the own end-diastole, transported onto the mean shape. \
+                           Shape: the end-diastolic pose, size normalised. Both: squared distances, each over its median. \
+                           Curves of poses: poses with their shape, as on the pose map.";
+
+/// Draws what the map keeps and how well: short where there is little room.
 pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
     let long = note_parts(view, ["neighbours", "reconstruction error"]).join(" · ");
     let parts = note_parts(view, ["k", "error"]);
@@ -74,7 +106,8 @@ pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
 const EXPLANATION: &str = "Locally linear embedding: the motion of every subject is reconstructed \
                            from its neighbours, and is embedded where these reconstructions fit \
                            best. Error: reconstruction error relative to the variance of the \
-                           motions. Time has this weight, in units of the pose map per cycle.";
+                           motions. Time, where curves of poses are compared, has this weight, in units of \
+                           the pose map per cycle.";
 
 /// "neighbours 8", "reconstruction error 0.012", "time × 1.4", as far as they are known.
 fn note_parts(view: &DeformationMapView, [neighbours, error]: [&str; 2]) -> Vec<String> {

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use super::view::with_view;
-use super::{deformation_map_ui, deformation_note};
+use super::{deformation_header_ui, deformation_map_ui};
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
@@ -24,8 +24,10 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn note_ui(ui: &mut Ui, cx: &PaneContext<'_>, taken: f32, _commands: &mut Vec<Command>) {
-    with_view(ui, cx, |ui, view| deformation_note(ui, view, taken));
+fn note_ui(ui: &mut Ui, cx: &PaneContext<'_>, taken: f32, commands: &mut Vec<Command>) {
+    with_view(ui, cx, |ui, view| {
+        deformation_header_ui(ui, view, taken, commands);
+    });
 }
 
 fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {

@@ -3,6 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::analysis::deformations::Comparison;
 use crate::engine::ClassesBy;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command, MapCommand};
@@ -38,6 +39,7 @@ fn harness(
                 let map = ScatterView::new(&DEFORMATION_MAP, &subjects, &points);
                 let view = DeformationMapView {
                     map,
+                    comparison: Comparison::default(),
                     neighbours: Some(5),
                     reconstruction_error: Some(0.0123),
                     time_weight: Some(1.42),
@@ -48,7 +50,7 @@ fn harness(
                     },
                     classes_by: Some(ClassesBy::Label),
                 };
-                deformation_note(ui, &view, 0.0);
+                deformation_header_ui(ui, &view, 0.0, commands);
                 deformation_map_ui(ui, &view, commands);
             },
             Vec::new(),

@@ -12,7 +12,7 @@ use crate::panes::cohort::view::cohort_data;
 use crate::panes::pane_context::PaneContext;
 use crate::panes::pose_map::view::pose_map;
 use crate::panes::same::Same;
-use crate::panes::scatter_map::from_state::{MapPoints, plane};
+use crate::panes::scatter_map::from_state::{MapPoints, left_out, plane};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
 use crate::panes::work_state::WorkState;
 use crate::picture::sentence;
@@ -38,10 +38,11 @@ pub fn with_view(
     kept.refresh(ui, state, map, Same::of(classes), |map| {
         let classes = classes.map(Arc::as_ref);
         let first = |subject| state.phases_of(subject).0.unwrap_or_default();
-        (
-            points(map, state.document.study(), classes, first),
-            Vec::new(),
-        )
+        let study = state.document.study();
+        // Subjects that are missing among the curves of poses are missing on the pose map.
+        let without = map.parts.iter().flat_map(|mapped| &mapped.parts.left_out);
+        let without = without.map(|left| (left.subject, &left.reason));
+        (points(map, study, classes, first), left_out(study, without))
     });
     let rows = classes.map_or_else(Vec::new, |classes| classifiers(classes));
     let embedding = map.map(|map| &map.embedding);
@@ -49,12 +50,16 @@ pub fn with_view(
     let view = DeformationMapView {
         map: ScatterView {
             job,
-            left_out: poses.left_out(),
+            left_out: match map.is_some_and(|map| map.parts.is_some()) {
+                true => kept.left_out(),
+                false => poses.left_out(),
+            },
             ..kept.view(state, &DEFORMATION_MAP, work, cohort.rows())
         },
+        comparison: state.document.deformation_map.comparison,
         neighbours: embedding.and_then(|embedding| embedding.neighbours),
         reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
-        time_weight: map.map(|map| map.time_weight),
+        time_weight: map.and_then(|map| map.time_weight),
         classes: classes_view(state, &rows),
         classes_by: (state.document.study().has_other_classes_than_labels())
             .then(|| state.document.classes_by()),
@@ -122,11 +127,17 @@ fn points(
     rows.filter(|(row, _)| *row < map.embedding.len())
         .map(|(row, subject)| {
             let nearest = nearest(map, row);
-            let named = nearest
-                .iter()
-                .filter_map(|index| study.subjects.get(*index));
-            let named: Vec<&str> = named.map(|subject| subject.id.as_str()).collect();
-            let similar = format!("Most similar motion: {}", named.join(", "));
+            let id = |index: &usize| Some(study.subjects.get(*index)?.id.as_str());
+            let named: Vec<&str> = nearest.iter().filter_map(id).collect();
+            let mut facts = Vec::new();
+            if let Some(first) = named.first() {
+                facts.push(format!("Most similar motion: {}", named.join(", ")));
+                facts.extend(
+                    nearest
+                        .first()
+                        .and_then(|other| share(map, row, *other, first)),
+                );
+            }
             ScatterPoint {
                 subject: *subject,
                 start_frame: first_frame(*subject),
@@ -134,7 +145,7 @@ fn points(
                 phase: PosePhase::WholeMotion,
                 label: Some(""),
                 cluster: clusters.map(|clusters| clusters[row]),
-                facts: (!named.is_empty()).then_some(similar).into_iter().collect(),
+                facts,
                 nearest,
                 ..ScatterPoint::default()
             }
@@ -142,24 +153,34 @@ fn points(
         .collect()
 }
 
-/// The subjects whose curves (x, y, w t) are nearest to that of a row, nearest first.
-fn nearest(map: &DeformationMap, row: usize) -> Vec<usize> {
-    let Some(own) = map.curves.get(row) else {
-        return Vec::new();
-    };
-    let apart = |other: &[[f64; 3]]| -> f64 {
-        let pairs = own.iter().zip(other);
-        pairs
-            .flat_map(|(a, b)| [0, 1, 2].map(|axis| (a[axis] - b[axis]).powi(2)))
-            .sum()
-    };
-    let mut others: Vec<(f64, usize)> = map
-        .curves
+/// "Differs from P7 by 20 % in deformation, 80 % in shape": both parts of equal weight.
+fn share(map: &DeformationMap, row: usize, other: usize, name: &str) -> Option<String> {
+    let parts = &map.parts.as_ref()?.parts;
+    let other = parts
+        .subjects
         .iter()
-        .zip(&map.subjects)
-        .enumerate()
+        .position(|subject| *subject == other)?;
+    let shape = 100.0 * parts.shape_share(row, other)?;
+    let deformation = 100.0 - shape.round();
+    Some(format!(
+        "Differs from {name} by {deformation:.0} % in deformation, {shape:.0} % in shape"
+    ))
+}
+
+/// The subjects nearest to that of a row, nearest first: by the distances that are mapped, else by curves (x, y, w t).
+fn nearest(map: &DeformationMap, row: usize) -> Vec<usize> {
+    let of_curves = |other: usize| -> Option<f64> {
+        let pairs = map.curves.get(row)?.iter().zip(map.curves.get(other)?);
+        let steps = pairs.flat_map(|(a, b)| [0, 1, 2].map(|axis| (a[axis] - b[axis]).powi(2)));
+        Some(steps.sum())
+    };
+    let apart = |other: usize| match &map.parts {
+        Some(mapped) => Some(mapped.distances.get(row, other)),
+        None => of_curves(other),
+    };
+    let mut others: Vec<(f64, usize)> = (map.subjects.iter().enumerate())
         .filter(|(other, _)| *other != row)
-        .map(|(_, (curve, subject))| (apart(curve), *subject))
+        .filter_map(|(other, subject)| Some((apart(other)?, *subject)))
         .collect();
     others.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let named = others.into_iter().take(NAMED_NEIGHBOURS);
@@ -219,7 +240,8 @@ mod tests {
             curves: [0.0, 1.0, 1.5, 9.0]
                 .map(|x| vec![[x, 0.0, 0.0], [x, 1.0, 2.0]])
                 .to_vec(),
-            time_weight: 2.0,
+            time_weight: Some(2.0),
+            parts: None,
             embedding: Embedding {
                 dimensions: 2,
                 coordinates: places.concat(),

@@ -1,13 +1,16 @@
 //! The clinical measures of the selected subject, with units and, where one is defensible, the normal range.
 
 pub(crate) mod spec;
+mod view;
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, RichText, Ui};
 
+use crate::analysis::measures::{
+    EDV_RANGE, EF_RANGE, ESV_RANGE, MASS_RANGE, ReferenceRange, SV_RANGE,
+};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, EditCommand, Phase, PhaseFrame, Whose};
-use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE, ejection_fraction_words};
 use crate::report::{Digits, NO_VALUE, SubjectRow};
 use crate::ui::controls::{chooser_ui, no_subject_ui};
 use crate::ui::style::{medium, medium_font, note, note_font, text_font, title_font};
@@ -60,21 +63,22 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
                 let width =
                     text_width(ui, &both, medium_font()) + text_width(ui, unit, text_font());
                 let fit = width + space::SMALL <= ui.available_width();
-                let mut value_ui = |names: &[&str], value: &str, unit: &str| {
-                    value_ui(ui, names, value, unit, low);
-                };
+                let mut value_ui =
+                    |names: &[&str], value: &str, unit: &str, ranges: &[ReferenceRange]| {
+                        value_ui(ui, names, [value, unit], ranges, low);
+                    };
                 if fit {
-                    value_ui(&[&heading], &both, unit);
+                    value_ui(&[&heading], &both, unit, &[EDV_RANGE, ESV_RANGE]);
                 } else {
-                    value_ui(&[SubjectRow::EDV.heading], &edv, unit);
-                    value_ui(&[SubjectRow::ESV.heading], &esv, unit);
+                    value_ui(&[SubjectRow::EDV.heading], &edv, unit, &[EDV_RANGE]);
+                    value_ui(&[SubjectRow::ESV.heading], &esv, unit, &[ESV_RANGE]);
                 }
-                value_ui(&[SubjectRow::SV.heading, "SV"], &sv, unit);
+                value_ui(&[SubjectRow::SV.heading, "SV"], &sv, unit, &[SV_RANGE]);
                 // A mass needs a volume in ml.
                 if row.unit == LengthUnit::Millimetre {
                     let mass = SubjectRow::MASS_G;
                     let unit = mass.unit.symbol(row.unit);
-                    value_ui(&[mass.heading], &mass.shown(row), unit);
+                    value_ui(&[mass.heading], &mass.shown(row), unit, &[MASS_RANGE]);
                 }
                 ui.add_space(space::SMALL);
                 phases_ui(ui, view, commands);
@@ -106,17 +110,43 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     let words = ejection_fraction_words(row.ef);
     let width = text_width(ui, &text, title_font())
         + text_width(ui, percent, text_font())
-        + text_width(ui, words, note_font())
+        + text_width(ui, &words, note_font())
         + space::SMALL
         + space::MEDIUM;
     // Words that would wrap within themselves stand below.
     if ui.available_width() > width.max(150.0) {
-        line.append(words, space::MEDIUM, format(note_font(), colours.muted));
-        ui.label(line).on_hover_text(EJECTION_FRACTION.source);
+        line.append(&words, space::MEDIUM, format(note_font(), colours.muted));
+        ui.label(line)
+            .on_hover_text(format!("Normal: {}", EF_RANGE.source));
     } else {
-        ui.label(line).on_hover_text(EJECTION_FRACTION.source);
+        ui.label(line)
+            .on_hover_text(format!("Normal: {}", EF_RANGE.source));
         ui.add(egui::Label::new(note(words)).wrap());
     }
+}
+
+/// How an ejection fraction lies to its range: "below normal 52–74 %".
+fn ejection_fraction_words(fraction: Option<f64>) -> String {
+    let outside = fraction.and_then(|fraction| EF_RANGE.outside(100.0 * fraction));
+    let side = outside.map_or(
+        "",
+        |outside| {
+            if outside.below { "below " } else { "above " }
+        },
+    );
+    format!("{side}normal {}", EF_RANGE.words())
+}
+
+/// "EDV normal in adults 86–214 ml: …", a line per range; ranges are in ml and g, whatever a file counts in.
+fn ranges_in_words(ranges: &[ReferenceRange], unit: &str) -> String {
+    let mut lines: Vec<String> = (ranges.iter())
+        .map(|range| format!("{}: normal in adults {}", range.name, range.words()))
+        .collect();
+    match ranges.first() {
+        Some(range) if range.unit == unit => lines.push(format!("Range: {}", range.source)),
+        _ => return "No normal range: the unit of coordinates is not known".to_owned(),
+    }
+    lines.join("\n")
 }
 
 /// End-diastolic, end-systolic and stroke volume as they stand below each other: the third is the difference of the two
@@ -125,16 +155,16 @@ fn volume_texts(row: &SubjectRow) -> [String; 3] {
     let columns = [&SubjectRow::EDV, &SubjectRow::ESV, &SubjectRow::SV];
     let usual = columns.map(|column| column.shown(row));
     let difference = |[edv, esv, _]: &[String; 3]| Some(shown_number(edv)? - shown_number(esv)?);
-    let (Some(told), Some(sv)) = (difference(&usual), shown_number(&usual[2])) else {
+    let (Some(rounded), Some(sv)) = (difference(&usual), shown_number(&usual[2])) else {
         return usual;
     };
-    if (told - sv).abs() < 1e-6 {
+    if (rounded - sv).abs() < 1e-6 {
         return usual;
     }
     let digits = Digits::Places(1);
     let mut finer = columns.map(|column| column.shown_with(digits, row));
-    if let Some(told) = difference(&finer) {
-        finer[2] = digits.shown(told);
+    if let Some(rounded) = difference(&finer) {
+        finer[2] = digits.shown(rounded);
     }
     finer
 }
@@ -144,8 +174,15 @@ fn shown_number(text: &str) -> Option<f64> {
     text.replace('−', "-").parse().ok()
 }
 
-/// A volume or a mass below the first of its names; in a `low` pane beside the first one that leaves room.
-fn value_ui(ui: &mut Ui, names: &[&str], value: &str, unit: &str, low: bool) {
+/// A volume or a mass, with its normal range under the pointer, below the first of its names; in a `low` pane beside the
+/// first one that leaves room.
+fn value_ui(
+    ui: &mut Ui,
+    names: &[&str],
+    [value, unit]: [&str; 2],
+    ranges: &[ReferenceRange],
+    low: bool,
+) {
     let width = text_width(ui, value, medium_font()) + text_width(ui, unit, text_font());
     let free = ui.available_width() - width - 2.0 * space::SMALL;
     let mut beside = names.iter().filter(|_| low);
@@ -165,7 +202,7 @@ fn value_ui(ui: &mut Ui, names: &[&str], value: &str, unit: &str, low: bool) {
         }
     })
     .response
-    .on_hover_text(NO_VOLUME_RANGE);
+    .on_hover_text(ranges_in_words(ranges, unit));
     ui.add_space(3.0);
 }
 
@@ -221,6 +258,19 @@ mod tests {
         }
         let unknown = volume_texts(&SubjectRow::default());
         assert_eq!(unknown, [NO_VALUE; 3].map(str::to_owned));
+    }
+
+    #[test]
+    fn a_measure_outside_its_range_is_called_so_and_the_range_is_that_of_the_tables() {
+        assert_eq!(ejection_fraction_words(Some(0.31)), "below normal 52–74 %");
+        assert_eq!(ejection_fraction_words(Some(0.80)), "above normal 52–74 %");
+        assert_eq!(ejection_fraction_words(Some(0.60)), "normal 52–74 %");
+        assert_eq!(ejection_fraction_words(None), "normal 52–74 %");
+        let words = ranges_in_words(&[EDV_RANGE, ESV_RANGE], "ml");
+        assert!(
+            words.starts_with("EDV: normal in adults 86–214 ml\nESV: normal in adults 22–82 ml\n")
+        );
+        assert!(ranges_in_words(&[SV_RANGE], "units³").starts_with("No normal range"));
     }
 
     fn card(size: [f32; 2], stated: bool) -> Harness<'static, Vec<Command>> {

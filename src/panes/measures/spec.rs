@@ -2,12 +2,12 @@
 
 use egui::Ui;
 
-use crate::panes::beat::measures_view;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
 
 use super::measures_card_ui;
+use super::view::measures_view;
 
 impl Pane {
     /// Clinical measures of the selected subject.

@@ -2,19 +2,50 @@
 
 use egui::Ui;
 
-use crate::analysis::deformations::DeformationMapParams;
-use crate::panes::metric::MetricPanelView;
+use crate::analysis::deformations::{Comparison, DeformationMapParams};
+use crate::panes::metric::{MetricPanelView, choice_row_ui};
+use crate::ui::controls::choices_ui;
 use crate::ui::number_field::{ABOVE_ZERO, Setting, number_text, whole};
 
 const NEIGHBOURS: Setting<DeformationMapParams> = Setting {
     name: "Neighbours",
     unit: "subjects",
-    what: "Neighbours from which LLE reconstructs each subject; empty: half of the subjects, at least 4",
+    what: "Neighbours from which LLE reconstructs each subject; empty: a tenth of the cohort, 8 to 12 (half of it where curves of poses are compared)",
     range: [1.0, u16::MAX as f64],
     get: |map| map.neighbours.map(f64::from),
     set: |map, neighbours| {
         let count = neighbours.map(|count| whole(count, u32::from(u16::MAX)));
         map.neighbours = count.transpose()?.map(|count| count as u16);
+        Ok(())
+    },
+};
+
+const SMOOTHING: Setting<DeformationMapParams> = Setting {
+    name: "Smoothing",
+    unit: "√area",
+    what: "Poses are smoothed below this radius before deformations are compared; 0: no smoothing",
+    range: [0.0, 1.0],
+    get: |map| Some(map.smoothing),
+    set: |map, smoothing| {
+        map.smoothing = smoothing.unwrap_or_default();
+        Ok(())
+    },
+};
+
+const SHAPE_WEIGHT: Setting<DeformationMapParams> = Setting {
+    name: "Weight of shape",
+    unit: "",
+    what: "How much the squared distance of end-diastolic shapes counts beside that of deformations, each over its \
+           median; 0: deformations alone",
+    range: [0.0, f64::INFINITY],
+    get: |map| match map.comparison {
+        Comparison::Parts(weights) => Some(weights.shape),
+        Comparison::Poses => None,
+    },
+    set: |map, weight| {
+        if let Comparison::Parts(weights) = &mut map.comparison {
+            weights.shape = weight.unwrap_or_default();
+        }
         Ok(())
     },
 };
@@ -68,13 +99,27 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut Defo
     });
     let neighbours = automatic(view.neighbours.map(|count| count.to_string()));
     let time = automatic(two_figures.filter(|_| wanted.time_weight.is_none()));
-    for (setting, automatic) in [
-        (NEIGHBOURS, Some(&*neighbours)),
-        (REGULARISATION, None),
-        (TIME_WEIGHT, Some(&*time)),
-        (SAMPLES, None),
+    let what = "What of two beats is compared: motion relative to the own end-diastole, the end-diastolic shape, or both";
+    let shown = wanted.comparison.name();
+    choice_row_ui(ui, "Compare", what, shown, true, |ui| {
+        let choices = Comparison::NAMED.map(|comparison| (comparison.name(), comparison.name()));
+        if let Some(name) = choices_ui(ui, choices, shown) {
+            let chosen = Comparison::NAMED
+                .into_iter()
+                .find(|comparison| comparison.name() == name);
+            wanted.comparison = chosen.unwrap_or(wanted.comparison);
+        }
+    });
+    let curves = wanted.comparison == Comparison::Poses;
+    for (setting, automatic, enabled) in [
+        (SHAPE_WEIGHT, None, !curves),
+        (SMOOTHING, None, !curves),
+        (NEIGHBOURS, Some(&*neighbours), true),
+        (REGULARISATION, None, true),
+        (TIME_WEIGHT, Some(&*time), curves),
+        (SAMPLES, None, curves),
     ] {
-        setting.ui(ui, wanted, automatic, true, |map| match map.check() {
+        setting.ui(ui, wanted, automatic, enabled, |map| match map.check() {
             Ok(_) => Ok(()),
             Err(error) => Err(error.to_string()),
         });
@@ -89,7 +134,14 @@ mod tests {
     #[test]
     fn each_number_takes_what_its_range_says_and_no_more() {
         let takes = |params: &DeformationMapParams| params.check().is_ok();
-        for setting in [NEIGHBOURS, REGULARISATION, TIME_WEIGHT, SAMPLES] {
+        for setting in [
+            SHAPE_WEIGHT,
+            SMOOTHING,
+            NEIGHBOURS,
+            REGULARISATION,
+            TIME_WEIGHT,
+            SAMPLES,
+        ] {
             assert_takes_its_range(&setting, takes);
         }
     }

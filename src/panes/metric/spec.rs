@@ -35,7 +35,7 @@ fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
         // An excluded subject is no reference.
         selected: (document.selected_index()).filter(|&index| index < cohort.rows().len()),
         neighbours: map.and_then(|map| map.embedding.neighbours),
-        time_weight: map.map(|map| map.time_weight),
+        time_weight: map.and_then(|map| map.time_weight),
     };
     metric_panel_ui(ui, &view, commands);
 }

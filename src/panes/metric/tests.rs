@@ -3,6 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::analysis::deformations::Comparison;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::{Form, MetricKind};
 use crate::analysis::transport::{CohortTransportParams, Reference};
@@ -139,13 +140,16 @@ fn isomap_asks_for_its_neighbours() {
 fn settings_of_the_deformation_map_may_be_left_to_the_program() {
     let mut harness = harness(Scene::default());
     harness.run();
+    // Time counts where curves of poses are compared.
+    choose(&mut harness, "Compare: deformation", "curves of poses");
+    assert_eq!(harness.state().deformations.comparison, Comparison::Poses);
     type_into(&mut harness, "Time weight", "0");
     assert_eq!(harness.state().deformations.time_weight, Some(0.0));
     type_into(&mut harness, "Neighbours", "8");
     assert_eq!(harness.state().deformations.neighbours, Some(8));
     type_into(&mut harness, "Regularisation", "0");
     harness.get_by_label_contains("regularisation must be above 0");
-    assert_eq!(harness.state().commands.len(), 2);
+    assert_eq!(harness.state().commands.len(), 3);
 }
 
 #[test]

@@ -20,6 +20,7 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
     let why = match (state.patch_standing(subject), verdict.map(|v| v.finding)) {
         (PatchStanding::Abnormal, _) => return String::new(),
         (PatchStanding::NoVerdict, _) => "There is no verdict yet",
+        (PatchStanding::Patch, _) => "No classifier tells whether it is abnormal",
         (_, Some(Finding::Nothing)) => {
             "Verdict: no regional abnormality; the wall thickens as in normal subjects"
         }

@@ -32,7 +32,7 @@ pub struct MapWords {
     pub command: fn(&ScatterPoint) -> Command,
 }
 
-/// Shows a point's subject from its first frame and plays.
+/// Shows a point's subject at its start frame and plays from there.
 pub fn play(point: &ScatterPoint) -> Command {
     let (subject, frame) = (point.subject, point.start_frame);
     let play = true;

@@ -19,11 +19,16 @@ enum Written {
     Degrees,
     /// A share of the heart's size, as percent with one place.
     OfSize,
+    /// In a unit, with the places that it is known to.
+    In(&'static str, usize),
 }
 
-/// What is shown, in this order: name, what it is, how it is written. The first three are those of
-/// [`Feature::MODEL_FEATURES`], the rest are those of the method (4.4–4.7) and what the patch table knows.
-const SHOWN: [(Feature, &str, &str, Written); 10] = [
+/// A feature as it is shown: name, what it is, how it is written.
+type Shown = (Feature, &'static str, &'static str, Written);
+
+/// What is shown, in this order: first those of [`Feature::MODEL_FEATURES`], of the wall and of the whole heart, then those
+/// of the method (4.4–4.7) and what the patch table knows.
+const SHOWN: [Shown; 24] = [
     (
         Feature::AkineticShare,
         "Akinetic region",
@@ -42,6 +47,90 @@ const SHOWN: [(Feature, &str, &str, Written); 10] = [
         "Spread of thickening over the wall, relative to the thickening of remote myocardium; 0 for uniform \
          thickening",
         Written::Ratio,
+    ),
+    (
+        Feature::EjectionFraction,
+        "Ejection fraction",
+        "Stroke volume relative to end-diastolic volume",
+        Written::Share,
+    ),
+    (
+        Feature::EdvIndex,
+        "EDV index",
+        "End-diastolic volume relative to body surface (Mosteller); no value without height and weight",
+        Written::In(" ml/m²", 0),
+    ),
+    (
+        Feature::EsvIndex,
+        "ESV index",
+        "End-systolic volume relative to body surface (Mosteller); no value without height and weight",
+        Written::In(" ml/m²", 0),
+    ),
+    (
+        Feature::MassIndex,
+        "Mass index",
+        "Mass of the myocardium relative to body surface (Mosteller); no value without height and weight",
+        Written::In(" g/m²", 0),
+    ),
+    (
+        Feature::MassToVolume,
+        "Mass / EDV",
+        "Mass of the myocardium relative to end-diastolic volume: large where the wall is thick for its cavity",
+        Written::In(" g/ml", 2),
+    ),
+    (
+        Feature::WallEd,
+        "Wall thickness at ED",
+        "Median over the wall of its thickness at end-diastole",
+        Written::In(" mm", 1),
+    ),
+    (
+        Feature::ThickestEd,
+        "Greatest wall thickness at ED",
+        "95th percentile over the wall of its thickness at end-diastole",
+        Written::In(" mm", 1),
+    ),
+    (
+        Feature::ThicknessRatio,
+        "Greatest / median wall thickness",
+        "95th percentile of wall thickness at end-diastole relative to its median: 1 for a wall of one thickness",
+        Written::Ratio,
+    ),
+    (
+        Feature::WallEs,
+        "Wall thickness at ES",
+        "Median over the wall of its thickness at end-systole",
+        Written::In(" mm", 1),
+    ),
+    (
+        Feature::ThickestEs,
+        "Greatest wall thickness at ES",
+        "95th percentile over the wall of its thickness at end-systole",
+        Written::In(" mm", 1),
+    ),
+    (
+        Feature::SphericityEd,
+        "Sphericity at ED",
+        "Volume of the cavity at end-diastole relative to a sphere whose diameter is the long axis",
+        Written::Ratio,
+    ),
+    (
+        Feature::SphericityEs,
+        "Sphericity at ES",
+        "Volume of the cavity at end-systole relative to a sphere whose diameter is the long axis",
+        Written::Ratio,
+    ),
+    (
+        Feature::InwardSpread,
+        "Heterogeneity of inward motion",
+        "Standard deviation over the inner surface of its motion towards the centroid, relative to the distance there",
+        Written::Share,
+    ),
+    (
+        Feature::InwardTenth,
+        "Least inward motion",
+        "10th percentile over the inner surface of its motion towards the centroid, relative to the distance there",
+        Written::Share,
     ),
     (
         Feature::Remote,
@@ -123,7 +212,13 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
         .collect()
 }
 
-/// The least and the greatest of the values.
+/// A feature as its row writes it.
+pub fn written(feature: Feature, value: f64) -> String {
+    let row = SHOWN.iter().find(|(shown, ..)| *shown == feature);
+    row.map_or_else(|| format!("{value:.2}"), |row| text(row.3, value))
+}
+
+/// The least and the greatest of what is told.
 fn range(values: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2]> {
     values.flatten().fold(None, |range, value| match range {
         None => Some([value; 2]),
@@ -151,6 +246,7 @@ fn parts(written: Written, value: f64) -> (String, &'static str) {
         Written::Distance => (value, 3, ""),
         Written::Degrees => (value.to_degrees(), 1, "°"),
         Written::OfSize => (100.0 * value, 1, " %"),
+        Written::In(unit, places) => (value, places, unit),
     };
     let number = format!("{value:.places$}");
     // A true minus, and no minus zero.
@@ -180,6 +276,6 @@ mod tests {
     #[test]
     fn what_the_rule_reads_comes_first() {
         let read = SHOWN.map(|(feature, ..)| feature);
-        assert_eq!(read[..3], Feature::MODEL_FEATURES);
+        assert_eq!(read[..17], Feature::MODEL_FEATURES);
     }
 }

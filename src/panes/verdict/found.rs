@@ -28,6 +28,12 @@ pub(super) fn verdict_ui(ui: &mut Ui, report: &VerdictReport) {
     if let Some(probability) = report.probability {
         probability_ui(ui, report, probability);
     }
+    kinds_ui(ui, report);
+    if !report.reasons.is_empty() {
+        ui.add_space(space::SMALL);
+        ui.add(Label::new(note(report.reasons.as_str())).wrap())
+            .on_hover_text("Model features that add most to the log odds of the predicted class");
+    }
     if let Some(training_distance) = &report.training_distance {
         ui.add_space(space::SMALL);
         let text = note(training_distance.words.as_str());
@@ -37,13 +43,34 @@ pub(super) fn verdict_ui(ui: &mut Ui, report: &VerdictReport) {
             text
         };
         ui.add(Label::new(text).wrap()).on_hover_text(
-            "Distance to the nearest training subject in the model features, relative to the median of \
-             that distance among the training subjects",
+            "Distance to the nearest training subject in the model features, or of a classifier from a file to their \
+             mean, relative to the median of that distance among the training subjects",
         );
     }
     ui.add_space(space::SMALL);
     ui.add(Label::new(note(RESEARCH)).wrap());
     ui.add_space(space::MEDIUM);
+}
+
+/// Of which kind it is, the two most probable.
+fn kinds_ui(ui: &mut Ui, report: &VerdictReport) {
+    if report.kinds.is_empty() {
+        return;
+    }
+    ui.add_space(space::SMALL);
+    for (rank, (label, probability)) in report.kinds.iter().take(2).enumerate() {
+        let name = if rank == 0 {
+            format!("Most probable label: {label}")
+        } else {
+            format!("Next: {label}")
+        };
+        let response = pair_ui(ui, &name, probability);
+        let words = format!("{name}, {probability}");
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.as_str()));
+        response.on_hover_text(
+            "One label against the rest, calibrated, scaled so that all labels add up to 100 %",
+        );
+    }
 }
 
 /// "> 99 %": a small cohort supports no more digits.

@@ -1,13 +1,13 @@
 //! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
-    ClassifierQuality, ClassifierSource, Finding, TrainingSetDistance, Verdict, VerdictParams,
-    Verdicts,
+    ClassifierQuality, ClassifierSource, Feature, Finding, TrainingSetDistance, Verdict,
+    VerdictParams, Verdicts,
 };
 use crate::document::state::State;
 use crate::engine::Showing;
 use crate::panes::cohort::rows::CohortVerdict;
-use crate::panes::verdict::evidence_rows::evidence;
+use crate::panes::verdict::evidence_rows::{evidence, written};
 use crate::panes::verdict_marks::VerdictMark;
 use crate::panes::work_state::WorkState;
 use crate::picture::percent;
@@ -74,24 +74,31 @@ fn report(state: &State) -> Option<VerdictReport> {
 fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictReport {
     let study = state.document.study();
     let role = (state.document.selected()).map_or(LabelRole::Unknown, |shown| study.role(shown));
-    let calibrated = matches!(verdicts.classifier, ClassifierSource::Cohort { .. });
+    let calibrated = verdicts.classifier.is_calibrated();
     VerdictReport {
         mark: mark(verdict.finding),
         heading: heading(verdict),
-        sentence: sentence(verdict),
+        sentence: sentence(verdict, calibrated),
+        kinds: (verdict.kinds.iter())
+            .map(|kind| (kind.label.clone(), super::found::percent(kind.probability)))
+            .collect(),
+        reasons: reasons(verdict),
         probability: Some(verdict.probability),
         calibrated,
-        source: match (calibrated, role) {
-            (false, _) => "Default thresholds: too few labelled subjects",
-            (true, LabelRole::Unknown) => {
+        source: match (verdicts.classifier, role) {
+            (ClassifierSource::Uncalibrated { .. }, _) => {
+                "Default thresholds: too few labelled subjects"
+            }
+            (ClassifierSource::Rule { .. }, _) => "Classifier of another study, from a file",
+            (ClassifierSource::Cohort { .. }, LabelRole::Unknown) => {
                 "Classifier trained on the labelled subjects; this subject has no class"
             }
-            (true, _) => "Leave-one-out: this subject was not in the training set",
+            (ClassifierSource::Cohort { .. }, _) => {
+                "Leave-one-out: this subject was not in the training set"
+            }
         },
-        training_distance: verdict
-            .training_set_distance
-            .as_ref()
-            .map(training_distance),
+        training_distance: (verdict.training_set_distance.as_ref())
+            .map(|found| training_distance(found, &verdict.outside)),
         evidence: evidence(study, verdicts, &verdict.features),
         similar: [&verdict.similar_normal, &verdict.similar_abnormal].map(|subjects| {
             subjects
@@ -105,7 +112,7 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
 fn mark(finding: Finding) -> VerdictMark {
     match finding {
         Finding::Nothing => VerdictMark::NoAbnormality,
-        Finding::Patch => VerdictMark::Patch,
+        Finding::Patch | Finding::LowThickening => VerdictMark::Patch,
         Finding::GlobalHypokinesia => VerdictMark::GlobalHypokinesia,
         Finding::WithoutPatch => VerdictMark::AbnormalWithoutPatch,
     }
@@ -114,21 +121,29 @@ fn mark(finding: Finding) -> VerdictMark {
 /// "Abnormal patch · 31 % of the LV".
 fn heading(verdict: &Verdict) -> String {
     match verdict.finding {
-        Finding::Nothing => "No regional abnormality".to_owned(),
-        Finding::Patch => format!("Abnormal patch · {} of the LV", percent(verdict.patched)),
-        Finding::GlobalHypokinesia => "Global hypokinesia".to_owned(),
-        Finding::WithoutPatch => "Abnormal without a patch".to_owned(),
+        _ if !verdict.wall => crate::picture::sentence(verdict.words()),
+        finding if finding.is_patch() => {
+            let name = crate::picture::sentence(finding.name());
+            format!("{name} · {} of the LV", percent(verdict.patched))
+        }
+        finding => crate::picture::sentence(finding.name()),
     }
 }
 
 /// What the finding means, with what could be mistaken for another one.
-fn sentence(verdict: &Verdict) -> String {
+fn sentence(verdict: &Verdict, calibrated: bool) -> String {
     let little = (verdict.patched > 0.0)
         .then(|| format!("; low thickening in {} of the LV", percent(verdict.patched)));
     let little = little.unwrap_or_default();
     match verdict.finding {
-        Finding::Nothing => format!("The wall thickens as in the normal subjects{little}"),
-        Finding::Patch => {
+        _ if !verdict.wall => {
+            "By ejection fraction, volumes, shape and motion; there is no wall to assess regions of"
+                .to_owned()
+        }
+        // Without a classifier there is nobody that it could be like.
+        Finding::Nothing if !calibrated => format!("No patch counts by default thresholds{little}"),
+        Finding::Nothing => format!("The heart is as those of the normal subjects{little}"),
+        Finding::Patch | Finding::LowThickening => {
             "Thickening in part of the wall is far below that of remote myocardium".to_owned()
         }
         Finding::GlobalHypokinesia => {
@@ -141,7 +156,21 @@ fn sentence(verdict: &Verdict) -> String {
     }
 }
 
-fn training_distance(found: &TrainingSetDistance) -> TrainingDistance {
+/// "Speaks for it: low ejection fraction, large …": the strongest features with their values, in words.
+fn reasons(verdict: &Verdict) -> String {
+    let named = (verdict.reasons.iter()).filter_map(|reason| {
+        let value = written(reason.feature, verdict.features.get(reason.feature)?);
+        Some(format!("{} {value}", reason.feature.name()))
+    });
+    let named: Vec<String> = named.collect();
+    match named.as_slice() {
+        [] => String::new(),
+        _ => format!("Strongest features: {}", named.join(", ")),
+    }
+}
+
+/// Distance to what the classifier has seen, and the features outside the range of that.
+fn training_distance(found: &TrainingSetDistance, beyond: &[Feature]) -> TrainingDistance {
     let times = found.distance / found.median.max(f64::MIN_POSITIVE);
     let times = if times < 9.95 {
         format!("{times:.1} ×")
@@ -149,7 +178,7 @@ fn training_distance(found: &TrainingSetDistance) -> TrainingDistance {
         format!("{times:.0} ×")
     };
     let outside = found.as_far < OUTSIDE;
-    let words = if outside {
+    let mut words = if outside {
         format!(
             "Outside the training distribution: {times} the median distance, {} percentile. Interpret the verdict with \
              caution",
@@ -161,7 +190,14 @@ fn training_distance(found: &TrainingSetDistance) -> TrainingDistance {
             ordinal(100.0 * (1.0 - found.as_far))
         )
     };
-    TrainingDistance { words, outside }
+    if !beyond.is_empty() {
+        let names: Vec<&str> = beyond.iter().map(|feature| feature.name()).collect();
+        words += &format!(". Outside the training range: {}", names.join(", "));
+    }
+    TrainingDistance {
+        words,
+        outside: outside || !beyond.is_empty(),
+    }
 }
 
 /// "74th", of a number that is rounded to an integer.
@@ -190,10 +226,7 @@ fn similar(state: &State, subject: usize) -> Option<SimilarSubject> {
 
 /// The verdict on one subject in the cohort table.
 pub fn cohort_verdict(state: &State, subject: usize) -> Option<CohortVerdict> {
-    let calibrated = matches!(
-        state.verdicts()?.0.classifier,
-        ClassifierSource::Cohort { .. }
-    );
+    let calibrated = state.verdicts()?.0.classifier.is_calibrated();
     Some(match state.verdict_of(subject)? {
         Ok(verdict) => {
             let number = if calibrated {
@@ -206,7 +239,7 @@ pub fn cohort_verdict(state: &State, subject: usize) -> Option<CohortVerdict> {
             };
             CohortVerdict {
                 mark: mark(verdict.finding),
-                share: (verdict.finding == Finding::Patch).then_some(verdict.patched),
+                share: verdict.finding.is_patch().then_some(verdict.patched),
                 probability: Some(verdict.probability),
                 words: format!("Verdict: {}, {number}", lower_first(&heading(verdict))),
             }
@@ -233,6 +266,9 @@ fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
             "Logistic classifier, trained on the labelled subjects that can be assessed ({normal} normal, {abnormal} \
              abnormal); each of them is classified leave-one-out"
         ),
+        ClassifierSource::Rule { normal, abnormal } => format!(
+            "Logistic classifier, trained on another study ({normal} normal, {abnormal} abnormal subjects)"
+        ),
         ClassifierSource::Uncalibrated { normal, abnormal } => format!(
             "Default thresholds on the share of akinetic wall, uncalibrated: {normal} normal and {abnormal} abnormal \
              subjects can be assessed; training needs {} of each",
@@ -241,16 +277,22 @@ fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
     };
     let results = match (verdicts.classifier, &verdicts.quality) {
         (ClassifierSource::Cohort { normal, abnormal }, Some(quality)) => {
-            results(quality, normal, abnormal).to_vec()
+            results(quality, normal, abnormal)
         }
         _ => Vec::new(),
     };
     ClassifierReport { source, results }
 }
 
-fn results(quality: &ClassifierQuality, normal: usize, abnormal: usize) -> [ClassifierResult; 4] {
+fn results(quality: &ClassifierQuality, normal: usize, abnormal: usize) -> Vec<ClassifierResult> {
     let accuracy = &quality.accuracy;
-    [
+    let kinds = quality.kinds.map(|kinds| ClassifierResult {
+        name: "Kind (leave-one-out)",
+        what: "Subjects whose most probable kind is their label (leave-one-out)",
+        value: format!("{} of {}", kinds.correct, kinds.of),
+        permutation_test: format!("most frequent label: {}", kinds.largest_kind),
+    });
+    let results = [
         ClassifierResult {
             name: "Accuracy (leave-one-out)",
             what: "Subjects whose verdict agrees with the class of their label (leave-one-out)",
@@ -289,7 +331,8 @@ fn results(quality: &ClassifierQuality, normal: usize, abnormal: usize) -> [Clas
             value: format!("{} of {abnormal} abnormal", quality.false_negatives),
             permutation_test: String::new(),
         },
-    ]
+    ];
+    results.into_iter().chain(kinds).collect()
 }
 
 #[cfg(test)]

@@ -11,10 +11,10 @@ use crate::document::interpolated_poses::between_words;
 use crate::document::state::State;
 use crate::document::transported::TransportState;
 use crate::engine::EstimatedPose;
-use crate::panes::beat::between_words_of;
 use crate::panes::cohort::view::label_marks;
 use crate::panes::commands::TransportCommand;
 use crate::panes::patch::words::patch_note;
+use crate::panes::pose_words::between_words_of;
 use crate::panes::viewport::overlay::{
     ColourBarView, CubeView, ScaleBarView, SubjectCaption, ViewportOverlayView,
 };

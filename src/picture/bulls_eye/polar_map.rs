@@ -1,8 +1,8 @@
 //! Polar map of one heart's wall: its atoms on the unit disc, with values of any pose.
 
-use crate::analysis::segments::{Polar, Segment, flat_map, polar, segment_means, vertex_areas};
+use crate::analysis::segments::{Polar, Segment, flat_map, polar, segment_means};
 use crate::engine::SubjectThickening;
-use crate::mesh::Point3;
+use crate::mesh::{Point3, vertex_areas};
 use crate::picture::bulls_eye::BullsEyeQuantity;
 use crate::picture::bulls_eye::patches::{PolarPatch, polar_patch};
 use crate::study::Subject;

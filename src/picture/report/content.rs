@@ -1,5 +1,6 @@
 //! The content of the report, as texts.
 
+use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::verdicts::{ClassifierSource, Finding, Verdicts};
 use crate::picture::patch_words::{percent, probability_words, sentence};
 use crate::picture::report::order::ReportOrder;
@@ -39,7 +40,7 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
                 Some(Ok(verdict)) => [
                     finding,
                     probability_words(verdict.probability),
-                    if verdict.finding == Finding::Patch {
+                    if verdict.finding.is_patch() {
                         percent(verdict.patched)
                     } else {
                         none()
@@ -71,22 +72,23 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
 
 /// How many subjects have which verdict.
 pub(super) fn counts(verdicts: &Verdicts) -> String {
-    let count = |finding: Finding| {
+    let count = |finding: Finding, wall: bool| {
         let assessed = verdicts.subjects.iter().flatten();
         assessed
-            .filter(|verdict| verdict.finding == finding)
+            .filter(|verdict| verdict.finding == finding && verdict.wall == wall)
             .count()
     };
     let mut parts: Vec<String> = [
         Finding::Patch,
+        Finding::LowThickening,
         Finding::GlobalHypokinesia,
         Finding::WithoutPatch,
         Finding::Nothing,
     ]
     .into_iter()
-    .map(|finding| (finding, count(finding)))
+    .flat_map(|finding| [true, false].map(|wall| (finding.words(wall), count(finding, wall))))
     .filter(|(_, count)| *count > 0)
-    .map(|(finding, count)| format!("{}: {count}", finding.name()))
+    .map(|(words, count)| format!("{words}: {count}"))
     .collect();
     let not = verdicts
         .subjects
@@ -106,6 +108,11 @@ pub(super) fn classifier(verdicts: &Verdicts) -> String {
             return format!(
                 "Verdicts by default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a \
                  label can be assessed: the number is an uncalibrated score, not a probability."
+            );
+        }
+        ClassifierSource::Rule { normal, abnormal } => {
+            return format!(
+                "Verdicts by a classifier trained on {normal} normal and {abnormal} abnormal subjects of another study."
             );
         }
         ClassifierSource::Cohort { normal, abnormal } => (normal, abnormal),
@@ -130,6 +137,67 @@ pub(super) fn classifier(verdicts: &Verdicts) -> String {
             quality.auc_baseline,
             quality.auc_p_value
         );
+        if let Some(kinds) = quality.kinds {
+            words += &format!(
+                " Most probable label: the own one of {} of {} subjects, leave-one-out ({} have the most frequent one).",
+                kinds.correct, kinds.of, kinds.largest_kind
+            );
+        }
     }
     words
+}
+
+/// How well the labels are told apart by whole deformations; `None` where there are too few.
+pub(super) fn classes(classes: &Classes) -> Option<String> {
+    let of = |name: &str, found: Option<Accuracy>| {
+        let found = found?;
+        Some(format!(
+            "{name} {} of {} (permutation mean {}, p = {:.3})",
+            found.correct,
+            found.of,
+            percent(found.baseline),
+            found.p_value
+        ))
+    };
+    let found: Vec<String> = [
+        of("nearest neighbour", classes.nearest_neighbour),
+        of("linear classifier", classes.linear_classifier),
+        of("classifier on the 2-D embedding", classes.plane_classifier),
+        of("cluster agreement", classes.tau),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    (!found.is_empty()).then(|| {
+        format!(
+            "Labels by the distances of whole deformations, leave-one-out: {}.",
+            found.join(", ")
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_tells_labels_apart_is_said_with_its_permutation_mean() {
+        let accuracy = Accuracy {
+            correct: 18,
+            of: 20,
+            baseline: 0.5,
+            p_value: 0.001,
+        };
+        let mut found = Classes {
+            nearest_neighbour: Some(accuracy),
+            ..Classes::default()
+        };
+        assert_eq!(
+            classes(&found).unwrap(),
+            "Labels by the distances of whole deformations, leave-one-out: nearest neighbour 18 of 20 (permutation \
+             mean 50 %, p = 0.001)."
+        );
+        found.nearest_neighbour = None;
+        assert_eq!(classes(&found), None);
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::picture::figure::Pen;
 use crate::picture::page::{Anchor, FigureFonts, Page, Weight};
-use crate::picture::report::content::{Row, classifier, counts, heads, rows};
+use crate::picture::report::content::{Row, classes, classifier, counts, heads, rows};
 use crate::picture::report::order::ReportOrder;
 use crate::picture::report::sheet::{BOTTOM, LINE, MARGIN, SIZE, TEXT, THEME, pen, sheet};
 use crate::units::LengthUnit;
@@ -78,14 +78,12 @@ fn summary(pen: &mut Pen<'_>, order: &ReportOrder<'_>) -> f32 {
         pen.write(&words, counted, Anchor::Start, [MARGIN, base]);
         base += 1.2 * LINE;
     }
-    let paragraphs =
-        std::iter::once(classifier(order.verdicts)).chain(order.parameters.iter().cloned());
-    for (index, paragraph) in paragraphs.enumerate() {
-        let set = if index == 0 {
-            pen.regular(THEME.text)
-        } else {
-            muted
-        };
+    let results =
+        std::iter::once(classifier(order.verdicts)).chain(order.classes.and_then(classes));
+    let strong = pen.regular(THEME.text);
+    let paragraphs = (results.map(|words| (words, strong)))
+        .chain(order.parameters.iter().cloned().map(|words| (words, muted)));
+    for (paragraph, set) in paragraphs {
         for words in pen.fonts.wrapped(&paragraph, Weight::Regular, TEXT, room) {
             pen.write(&words, set, Anchor::Start, [MARGIN, base]);
             base += LINE;

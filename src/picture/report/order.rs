@@ -1,5 +1,6 @@
 //! What a report is made of; all its pages read it.
 
+use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
@@ -19,6 +20,8 @@ pub struct ReportOrder<'a> {
     pub poses: Option<&'a PoseMap>,
     /// The map of whole deformations.
     pub deformations: Option<&'a DeformationMap>,
+    /// How well the labels are told apart by it.
+    pub classes: Option<&'a Classes>,
     /// How all of it was made, in words.
     pub parameters: &'a [String],
 }

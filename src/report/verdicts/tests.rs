@@ -5,8 +5,8 @@ use crate::analysis::measures::measure_subject;
 use crate::analysis::medial::{MedialParams, medial_beat};
 use crate::analysis::thickening::{ThickeningParams, thickening};
 use crate::analysis::verdicts::{
-    Features, Finding, NotAssessed, TrainingSetDistance, VerdictInput, VerdictParams, examine,
-    verdicts,
+    Feature, Features, Finding, Kind, NotAssessed, Reason, TrainingSetDistance, VerdictInput,
+    VerdictParams, examine, verdicts,
 };
 use crate::mesh::phantom;
 use crate::progress::Progress;
@@ -69,7 +69,8 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         (Feature::NormalSpread, "normal_spread_rad"),
         (Feature::MeanPositionDistance, "gap_sizes"),
     ];
-    assert_eq!(columns.len(), 12 + names.len() + 1);
+    // Those of the whole heart stand behind what was there before them.
+    assert_eq!(columns.len(), 12 + names.len() + 1 + 14 + 5);
     assert_eq!(&columns[12 + names.len()], "outside_range");
     for (place, (feature, name)) in (12_usize..).zip(names) {
         assert_eq!(&columns[place], name);
@@ -96,6 +97,16 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
             median: 0.25,
             as_far: 0.1,
         }),
+        wall: true,
+        kinds: vec![Kind {
+            label: "MINF".to_owned(),
+            probability: 0.75,
+        }],
+        reasons: vec![Reason {
+            feature: Feature::AkineticShare,
+            log_odds: 1.5,
+        }],
+        outside: Vec::new(),
     };
     let reason = NotAssessed::WallNotResolved { share: 0.61 };
     let verdicts = Verdicts {
@@ -135,6 +146,15 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
         "P, 1|MINF|abnormal|0.30000000000000004|yes|"
     );
     assert_eq!(cell(0, "finding"), Finding::Patch.name());
+    assert_eq!(
+        ["kind", "kind_probability", "kind_probabilities", "reasons"].map(|name| cell(0, name)),
+        [
+            "MINF",
+            "0.75",
+            "MINF 0.750",
+            "akinetic share of the wall +1.50"
+        ]
+    );
     assert_eq!(cell(1, "finding"), "not assessed");
     assert_eq!(
         (cell(0, "alike_abnormal"), cell(0, "distance_from_seen")),

@@ -53,6 +53,7 @@ fn found(unit: LengthUnit) -> Thickening {
         temporal_consistency: TemporalConsistency::default(),
         ed_to_es: vec![1.0, 1.5, 1.5, 1.0],
         averaged: vec![0.0, 0.4, 0.4, 0.0],
+        at_edge: Vec::new(),
         remote: 0.4,
         remote_curve: vec![0.0, 0.4],
         min_share: 0.02,

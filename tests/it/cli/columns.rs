@@ -22,10 +22,13 @@ const COLUMNS: &[(&str, &str)] = &[
     ("poses_mds.csv", "subject,frame,x,y"),
     ("poses_smacof.csv", "subject,frame,x,y"),
     ("poses_isomap.csv", "subject,frame,x,y"),
-    ("deformations_lle.csv", "subject,label,x,y"),
+    (
+        "deformations_lle.csv",
+        "subject,label,x,y,nearest,distance,deformation,shape,shape_share",
+    ),
     (
         "verdicts.csv",
-        "subject,label,verdict,probability,assessed,reason,finding,calibrated,alike_normal,alike_abnormal,distance_from_seen,usual_distance,still_share,median_ln_pt,spread_ln_pt,relative_spread,weakest_tenth_ln_pt,well_ln_pt,reach_ln_pt,patch_share,patch_confidence,patch_relative_thickening,patch_compactness,pose_distance,normal_spread_rad,gap_sizes,outside_range",
+        "subject,label,verdict,probability,assessed,reason,finding,calibrated,alike_normal,alike_abnormal,distance_from_seen,usual_distance,still_share,median_ln_pt,spread_ln_pt,relative_spread,weakest_tenth_ln_pt,well_ln_pt,reach_ln_pt,patch_share,patch_confidence,patch_relative_thickening,patch_compactness,pose_distance,normal_spread_rad,gap_sizes,outside_range,ejection_fraction,edv_index,esv_index,mass_index,mass_to_edv,wall_ed_mm,wall_p95_ed_mm,wall_ratio_ed,wall_es_mm,wall_p95_es_mm,sphericity_ed,sphericity_es,inward_sd,inward_p10,kind,kind_probability,kind_probabilities,reasons,outside_training",
     ),
     ("medial_mds.csv", "subject,step_from,step_to,patch,x,y"),
     (

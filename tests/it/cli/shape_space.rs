@@ -278,9 +278,13 @@ fn every_metric_is_compared_on_a_labelled_study_beside_ejection_fraction_and_dis
         "--json",
     ]));
     let rows = answer["classification"].as_array().unwrap();
-    // Nine ways of comparing poses and EF, on the study and on copies at three levels.
-    assert_eq!(rows.len(), 10 * 4);
-    for name in ["EF alone", "plain displacement"] {
+    // Nine ways of comparing poses, three of comparing deformations, and EF, on the study and on copies at three levels.
+    assert_eq!(rows.len(), 13 * 4);
+    for name in [
+        "EF alone",
+        "displacement from end-diastole",
+        "deformation + shape",
+    ] {
         let row = rows.iter().find(|row| row["method"] == name).unwrap();
         assert_eq!(row["labelled"], 23);
         assert!(

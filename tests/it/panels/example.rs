@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use cardiomorph::analysis::deformations::DeformationMapParams;
+use cardiomorph::analysis::deformations::{Comparison, DeformationMapParams};
 use cardiomorph::document::State;
 use cardiomorph::engine::PoseMapQuery;
 use cardiomorph::mesh::phantom;
@@ -125,6 +125,7 @@ impl Example {
                 shows_clusters: true,
                 ..self.scatter(&DEFORMATION_MAP, &self.deformations, state)
             },
+            comparison: Comparison::default(),
             neighbours: Some(5),
             reconstruction_error: Some(0.0123),
             time_weight: Some(1.42),

@@ -199,6 +199,9 @@ fn a_deleted_subject_comes_back_with_its_row_selection_and_results() {
     let ejection = harness.state().state().measures_of(4).unwrap().ef;
     key(&mut harness, Key::Delete);
     assert_eq!(study(&harness).subjects.len(), 22);
+    // Until the next heart is ready, this one stays on screen with its name.
+    wait(&mut harness, "the next heart", |app| !app.busy());
+    harness.run_steps(2);
     assert!(
         harness
             .query_by_label(&before.selected().unwrap().id)

@@ -19,7 +19,7 @@ fn the_weight_of_time_is_that_of_both_axes_together() {
     let ways = [(); 4].map(|()| ellipse(8, 4.0, 1.0));
     let map = mapped(&ways, DeformationMapParams::default());
     let expected = (8.5 / (63.0 / 768.0_f64)).sqrt();
-    assert!((map.time_weight - expected).abs() < 1e-12);
+    assert!((map.time_weight.unwrap() - expected).abs() < 1e-12);
 }
 
 #[test]
@@ -72,8 +72,12 @@ fn samples_and_regularisation_are_those_asked_for() {
 #[test]
 fn neighbours_grow_with_the_cohort_and_never_exceed_it() {
     assert_eq!(
-        [0, 1, 3, 4, 20, 23, 100].map(default_neighbours),
+        [0, 1, 3, 4, 20, 23, 100].map(params::neighbours_of_curves),
         [0, 0, 2, 3, 10, 12, 50]
+    );
+    assert_eq!(
+        [0, 1, 4, 23, 80, 100, 120, 900].map(default_neighbours),
+        [0, 0, 3, 8, 8, 10, 12, 12]
     );
     let ways = vec![ellipse(6, 2.0, 1.0); 4];
     let asked = DeformationMapParams {

@@ -3,7 +3,7 @@
 use super::*;
 use crate::analysis::experiments::noise_result::mean_and_error;
 use crate::analysis::experiments::noise_study::classified;
-use crate::analysis::experiments::transport_study::difference;
+use crate::analysis::experiments::transport_experiment::difference;
 use crate::mesh::{Point3, phantom};
 
 #[test]
@@ -91,10 +91,10 @@ fn each_object_keeps_its_own_draws() {
 
 #[test]
 fn steps_of_a_path_have_a_longest_and_a_shortest_and_its_middle_is_near_the_motion() {
-    let mut params = InterpolationStudyParams::default();
+    let mut params = InterpolationExperimentParams::default();
     params.objects.truncate(1);
     params.geodesic.interpolated_poses = 1;
-    let study = interpolation_study(&params, &Progress::default()).unwrap();
+    let study = interpolation_experiment(&params, &Progress::default()).unwrap();
     for case in &study.cases {
         assert!((1.0..1.5).contains(&case.step_ratio), "{case:?}");
     }

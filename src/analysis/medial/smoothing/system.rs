@@ -49,6 +49,7 @@ impl System {
                 .cross(&(corners[2] - corners[0]))
                 .norm();
             for (k, entries) in sides.iter().enumerate() {
+                // As `mesh::vertex_areas` sums them, in the one pass over the faces that the weights need anyway.
                 mass[triangle[k] as usize] += doubled_area / 6.0;
                 let far = corners[(k + 2) % 3];
                 let dot = (corners[k] - far).dot(&(corners[(k + 1) % 3] - far));

@@ -77,6 +77,16 @@ impl MetricTerms for AnglePreserving {
         }
     }
 
+    fn add_coordinates(
+        &self,
+        metric: &Metric,
+        at: &PreparedPose,
+        field: &[Vector3],
+        coordinates: &mut Vec<f64>,
+    ) {
+        metric.add_corner_coordinates(at, field, coordinates);
+    }
+
     fn add_face_shares(
         &self,
         metric: &Metric,

@@ -76,6 +76,22 @@ impl MetricTerms for Isometric {
             .sum()
     }
 
+    fn add_coordinates(
+        &self,
+        metric: &Metric,
+        at: &PreparedPose,
+        field: &[Vector3],
+        coordinates: &mut Vec<f64>,
+    ) {
+        let rates = metric.field_stretch(at, field).into_iter();
+        let raw = metric.params.corners == Corners::Raw;
+        let weighted = rates.zip(metric.edge_weights(at)).enumerate();
+        coordinates.extend(weighted.map(|(e, (rate, weight))| {
+            let unit = if raw { at.length2[e] } else { 1.0 };
+            weight.sqrt() * rate * unit
+        }));
+    }
+
     fn add_face_shares(
         &self,
         metric: &Metric,

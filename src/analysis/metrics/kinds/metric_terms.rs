@@ -79,6 +79,16 @@ pub(in crate::analysis::metrics) trait MetricTerms: Sync {
         each_product(self, metric, at, x, y)
     }
 
+    /// Appends numbers that are linear in the field and whose products with those of another, summed, are
+    /// [`Self::product`]. Forms that are no inner product have none of their own: theirs are those of the additive form.
+    fn add_coordinates(
+        &self,
+        metric: &Metric,
+        at: &PreparedPose,
+        field: &[Vector3],
+        coordinates: &mut Vec<f64>,
+    );
+
     /// Adds to each face half its own terms at both poses.
     fn add_face_shares(
         &self,

@@ -124,6 +124,24 @@ impl MetricTerms for QuasiConformal {
         sums
     }
 
+    fn add_coordinates(
+        &self,
+        metric: &Metric,
+        at: &PreparedPose,
+        field: &[Vector3],
+        coordinates: &mut Vec<f64>,
+    ) {
+        metric.add_corner_coordinates(at, field, coordinates);
+        let rates = metric.curvature_rates(at, field).into_iter();
+        let weights = metric.vertex_weights(at).into_iter();
+        let mu = metric.params.mu;
+        coordinates.extend(
+            rates
+                .zip(weights)
+                .map(|(rate, weight)| (mu * weight).sqrt() * rate),
+        );
+    }
+
     fn add_face_shares(
         &self,
         metric: &Metric,

@@ -69,6 +69,21 @@ impl MetricTerms for Rigid {
         rigid_product(&at.points(), &weights, x, y)
     }
 
+    fn add_coordinates(
+        &self,
+        metric: &Metric,
+        at: &PreparedPose,
+        field: &[Vector3],
+        coordinates: &mut Vec<f64>,
+    ) {
+        let (points, weights) = (at.points(), metric.vertex_weights(at));
+        let rigid = rigid_part(&points, &weights, field);
+        for ((point, x), weight) in points.iter().zip(field).zip(&weights) {
+            let left = (x - rigid.at(point)) * weight.sqrt();
+            coordinates.extend(left.iter());
+        }
+    }
+
     fn add_face_shares(
         &self,
         _: &Metric,

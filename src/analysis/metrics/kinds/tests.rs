@@ -63,6 +63,31 @@ fn names_are_unique_and_words_are_there() {
 }
 
 #[test]
+fn coordinates_of_fields_have_the_products_of_every_metric() {
+    let mesh = bowl();
+    let (x, y) = (
+        field(&mesh, |p| Vector3::new(p.y * p.z, 0.3 * p.x, p.y * p.y)),
+        field(&mesh, |p| Vector3::new(p.z.sin(), p.x * p.y, -p.x)),
+    );
+    for params in all_params() {
+        let params = MetricParams {
+            lambda: 0.7,
+            ..params
+        };
+        if !params.is_inner_product() {
+            continue;
+        }
+        let metric = Metric::new(mesh.faces(), params.check().unwrap());
+        let pose = metric.prepare(mesh.vertices()).unwrap();
+        let [of_x, of_y] = [&x, &y].map(|field| metric.coordinates(&pose, field));
+        let product: f64 = of_x.iter().zip(&of_y).map(|(x, y)| x * y).sum();
+        let [norm2, expected, _] = metric.products(&pose, &x, &y);
+        assert!((product - expected).abs() < 1e-12 * norm2, "{params:?}");
+        assert!(metric.coordinates(&pose, &x[1..]).is_empty());
+    }
+}
+
+#[test]
 fn a_pose_is_at_no_distance_from_itself() {
     let mesh = bowl();
     for params in all_params() {

@@ -217,8 +217,16 @@ fn in_bands_of_a_few_poses_distances_have_the_same_bits_and_leave_out_the_same()
         subject("c", beat(28.0, 0.1, 8)),
     ]);
     let params = PoseDistanceParams::default().check().unwrap();
-    let within =
-        |bytes| pose_distances_within(&hearts, &params, None, bytes, &Progress::default()).unwrap();
+    let within = |bytes| {
+        computed(
+            &hearts,
+            &params,
+            (None, &|_, _| true),
+            bytes,
+            &Progress::default(),
+        )
+        .unwrap()
+    };
     let whole = within(usize::MAX);
     assert!(whole.distances.poses.len() > 2 * 8, "more than two bands");
     assert_eq!(within(1), whole);

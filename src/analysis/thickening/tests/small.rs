@@ -90,3 +90,18 @@ fn rough_positions_hardly_move_the_centroid_of_a_large_patch() {
         after.area
     );
 }
+
+#[test]
+fn a_strip_along_the_edge_is_no_patch_and_one_that_goes_on_is() {
+    let strip = |lowest: f64| {
+        found(&beat(&CURVE, |d| {
+            if d.x > 0.0 && d.z > lowest { 0.0 } else { WELL }
+        }))
+    };
+    // An eighth of the hemisphere, all of it within a fifth of the way to the apex.
+    assert!(strip(-0.25).patches.is_empty());
+    let deep = strip(-0.7);
+    assert_eq!(deep.patches.len(), 1);
+    let mut atoms = deep.patches[0].atoms.iter();
+    assert!(atoms.any(|&atom| deep.at_edge[atom as usize]));
+}

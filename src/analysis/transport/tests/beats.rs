@@ -248,7 +248,7 @@ fn who_cannot_take_part_is_left_out_with_a_reason() {
 }
 
 #[test]
-fn a_stopped_transfer_says_so() {
+fn a_stopped_transport_says_so() {
     let cohort = study((0..3).map(|who| heart(f64::from(who), 3)).collect());
     let metric = MetricParams::default().check().unwrap();
     let progress = Progress::default();

@@ -87,7 +87,7 @@ fn nearness_by_coordinates_keeps_the_product_with_the_direction_too() {
 }
 
 #[test]
-fn a_transfer_keeps_the_norm_only_if_it_is_told_to() {
+fn a_transport_keeps_the_norm_only_if_it_is_told_to() {
     let mesh = phantom::sphere(1, 1.0);
     let moving = moved(mesh.vertices(), &wave(mesh.vertices(), 1.0, 0.2), 1.0);
     let onto = moved(mesh.vertices(), &wave(mesh.vertices(), 4.0, 0.3), 1.0);

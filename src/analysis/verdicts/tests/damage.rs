@@ -88,8 +88,11 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
     }
     let verdicts = classified(&[(beat, found), measured(moved)], &[None, None]);
     for feature in Feature::ALL {
-        let [a, b] =
-            [0, 1].map(|subject| assessed(&verdicts, subject).features.get(feature).unwrap());
+        let [a, b] = [0, 1].map(|subject| assessed(&verdicts, subject).features.get(feature));
+        // Balls of one pose tell nothing of the whole heart, and thickness is a length.
+        let (Some(a), Some(b), "" | "ln PT" | "rad") = (a, b, feature.unit()) else {
+            continue;
+        };
         // The subject's size is the largest side of an upright box, which turns do change.
         let most = if matches!(
             feature,
@@ -107,14 +110,6 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
 fn settings_out_of_range_are_refused() {
     let default = VerdictParams::default();
     for params in [
-        VerdictParams {
-            ridge: f64::NAN,
-            ..default
-        },
-        VerdictParams {
-            ridge: 0.0,
-            ..default
-        },
         VerdictParams {
             min_labelled: 2,
             ..default

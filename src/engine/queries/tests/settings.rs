@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::analysis::classification::classify;
-use crate::analysis::deformations::{deformation_distances, deformation_map};
+use crate::analysis::deformations::{
+    PartParams, deformation_distances, deformation_map, map_of_parts, part_distances,
+};
 use crate::analysis::embedding::embed;
 use crate::analysis::pose_distances::pose_distances_knowing;
 use crate::analysis::transport::{Nearness, transported_motion};
@@ -26,6 +28,7 @@ fn other_deformations() -> DeformationMapQuery {
             method: MapMethod::ClassicalMds,
         },
         map: DeformationMapParams {
+            comparison: Comparison::Poses,
             time_weight: Some(0.3),
             samples: 20,
             ..DeformationMapParams::default()
@@ -58,6 +61,57 @@ fn a_map_of_deformations_is_made_with_all_of_its_settings() {
     let params = settings.map.check().unwrap();
     let expected = deformation_map(&study, &poses.poses, &map, &params, &progress).unwrap();
     assert_eq!(*found, expected);
+}
+
+#[test]
+fn parts_of_distances_are_those_of_all_settings() {
+    let (study, progress) = (study(), Progress::default());
+    let weights = PartWeights {
+        deformation: 2.0,
+        shape: 0.5,
+    };
+    let settings = DeformationMapQuery {
+        map: DeformationMapParams {
+            comparison: Comparison::Parts(weights),
+            smoothing: 0.05,
+            ..DeformationMapParams::default()
+        },
+        ..other_deformations()
+    };
+    let found = ask(&store(), &study, &settings);
+    let params = PartParams {
+        metric: other_distances().metric,
+        transport: CohortTransportParams::default(),
+        smoothing: 0.05,
+        shape_smoothing: 0.0,
+    };
+    let parts = part_distances(&study, &params.check().unwrap(), &progress).unwrap();
+    let checked = settings.map.check().unwrap();
+    let expected = map_of_parts(&Arc::new(parts), weights, &checked, &progress);
+    assert_eq!(*found, expected.unwrap());
+}
+
+#[test]
+fn another_weight_of_a_part_maps_anew_what_was_compared_once() {
+    let (study, store) = (study(), store());
+    let with = |comparison| DeformationMapQuery {
+        map: DeformationMapParams {
+            comparison,
+            ..DeformationMapParams::default()
+        },
+        ..DeformationMapQuery::default()
+    };
+    let alone = ask(&store, &study, &with(Comparison::default()));
+    let both = ask(&store, &study, &with(Comparison::Parts(PartWeights::BOTH)));
+    let [alone, both] = [alone, both].map(|map| map.parts.clone().unwrap());
+    assert!(Arc::ptr_eq(&alone.parts, &both.parts));
+    assert_ne!(alone.distances, both.distances);
+    assert_eq!(store.answers::<DeformationPartsQuery>(), 1);
+    assert_eq!(
+        store.answers::<PoseDistancesQuery>(),
+        0,
+        "poses are not asked for"
+    );
 }
 
 #[test]

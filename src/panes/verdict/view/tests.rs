@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::analysis::classification::Accuracy;
-use crate::analysis::verdicts::{Features, NotAssessed};
+use crate::analysis::verdicts::{Features, Kind, KindQuality, NotAssessed};
 use crate::document::testing::{state_of, subject_with_frames};
 use std::sync::Arc;
 
@@ -20,6 +20,17 @@ fn verdict(finding: Finding, probability: f64) -> Verdict {
             median: 0.5,
             as_far: 0.4,
         }),
+        wall: true,
+        kinds: vec![kind("MINF", 0.93), kind("NOR", 0.07)],
+        reasons: Vec::new(),
+        outside: Vec::new(),
+    }
+}
+
+fn kind(label: &str, probability: f64) -> Kind {
+    Kind {
+        label: label.to_owned(),
+        probability,
     }
 }
 
@@ -51,6 +62,8 @@ fn only_the_finding_of_a_patch_is_called_one() {
     let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
     assert_eq!(shown.mark, VerdictMark::Patch);
+    let kinds = [("MINF", "93 %"), ("NOR", "7 %")].map(|(a, b)| (a.to_owned(), b.to_owned()));
+    assert_eq!(shown.kinds, kinds);
     assert_eq!(shown.similar[0][0].id, "b");
     assert_eq!(shown.similar[0][0].verdict, "no finding");
     state.document.subject = 1;
@@ -94,11 +107,12 @@ fn an_uncalibrated_score_says_so_everywhere() {
 #[test]
 fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
     let at = |distance: f64, as_far: f64| {
-        training_distance(&TrainingSetDistance {
+        let found = TrainingSetDistance {
             distance,
             median: 0.5,
             as_far,
-        })
+        };
+        training_distance(&found, &[])
     };
     let near = at(0.6, 0.4);
     assert!(
@@ -106,6 +120,30 @@ fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
     );
     let far = at(12.0, 0.0);
     assert!(far.outside && far.words.contains("24 ×") && far.words.contains("100th percentile"));
+}
+
+#[test]
+fn a_classifier_from_a_file_says_so_and_what_it_has_not_seen() {
+    let mut state = classified(ClassifierSource::Rule {
+        normal: 20,
+        abnormal: 60,
+    });
+    let seen = state.verdicts().unwrap().0;
+    let mut verdicts = (**seen).clone();
+    if let Ok(verdict) = &mut verdicts.subjects[0] {
+        verdict.outside = vec![Feature::EjectionFraction];
+    }
+    verdicts.subjects[2] = Err(NotAssessed::NotComparable(
+        "meshes of 9 vertices".to_owned(),
+    ));
+    state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
+    let shown = report(&state).unwrap();
+    assert!(shown.calibrated && shown.source.ends_with("from a file"));
+    let distance = shown.training_distance.unwrap();
+    assert!(distance.outside && distance.words.ends_with("range: ejection fraction"));
+    state.document.subject = 2;
+    let sentence = report(&state).unwrap().sentence;
+    assert!(sentence.starts_with("Not comparable"), "{sentence}");
 }
 
 #[test]
@@ -122,6 +160,11 @@ fn accuracy_and_auc_have_permutation_means() {
         auc: 0.984,
         auc_baseline: 0.46,
         auc_p_value: 0.004_975,
+        kinds: Some(KindQuality {
+            correct: 18,
+            of: 20,
+            largest_kind: 8,
+        }),
     };
     let rows = results(&quality, 9, 14);
     assert_eq!(rows[0].value, "22 of 23 · 96 %");
@@ -130,4 +173,5 @@ fn accuracy_and_auc_have_permutation_means() {
     assert_eq!(rows[1].permutation_test, "permutation mean 0.46 · p 0.005");
     assert_eq!(rows[2].value, "0 of 9 normal");
     assert_eq!(rows[3].value, "1 of 14 abnormal");
+    assert_eq!(rows[4].value, "18 of 20");
 }

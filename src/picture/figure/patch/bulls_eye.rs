@@ -112,7 +112,7 @@ pub(super) fn draw_bulls_eye(
     }
     let colour = match content.standing {
         PatchStanding::LowThickening => FAINT,
-        PatchStanding::NoVerdict | PatchStanding::Abnormal => BORDER,
+        PatchStanding::NoVerdict | PatchStanding::Patch | PatchStanding::Abnormal => BORDER,
     };
     hatch(pen.page, flat, &disc, width);
     for border in flat.patches.iter().flat_map(|patch| &patch.borders) {

@@ -1,10 +1,10 @@
-//! The order in which a person counts files: `g2` before `g10`.
+//! The order in which a person counts files and subjects: `g2` before `g10`.
 
 use std::cmp::Ordering;
 
 /// Compares runs of digits as numbers and everything else letter by letter, capitals as small
 /// letters; names that differ only so are ordered as text.
-pub(super) fn natural_order(a: &str, b: &str) -> Ordering {
+pub fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut left, mut right) = (a, b);
     loop {
         match (left.chars().next(), right.chars().next()) {

@@ -14,7 +14,7 @@ use super::{
 
 /// How many deformations are transported, and by what.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransportStudyParams {
+pub struct TransportExperimentParams {
     /// Kinds of objects.
     pub objects: Vec<ObjectKind>,
     /// The deformations; the object is replaced by each of `objects`.
@@ -23,7 +23,7 @@ pub struct TransportStudyParams {
     pub transport: TransportParams,
 }
 
-impl Default for TransportStudyParams {
+impl Default for TransportExperimentParams {
     /// 6 kinds × 4 motions × 3: 72 deformations.
     fn default() -> Self {
         Self {
@@ -61,9 +61,9 @@ pub struct TransportCase {
 
 /// All cases.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransportStudy {
+pub struct TransportExperiment {
     /// The settings with which it was run.
-    pub params: TransportStudyParams,
+    pub params: TransportExperimentParams,
     /// By kind of object, then class.
     pub cases: Vec<TransportCase>,
 }
@@ -78,10 +78,10 @@ const NORM_RANGE: std::ops::RangeInclusive<f64> = 2.0 / 3.0..=1.5;
 ///
 /// # Errors
 /// If settings are out of range, it was stopped, or a motion cannot be transported at all.
-pub fn transport_study(
-    params: &TransportStudyParams,
+pub fn transport_experiment(
+    params: &TransportExperimentParams,
     progress: &Progress,
-) -> Result<TransportStudy, ExperimentError> {
+) -> Result<TransportExperiment, ExperimentError> {
     let mut tasks = Vec::new();
     for &object in &params.objects {
         let still = SyntheticParams {
@@ -101,14 +101,14 @@ pub fn transport_study(
             transported(params, *object, template, deformation, progress)
         })
         .collect::<Result<_, ExperimentError>>()?;
-    Ok(TransportStudy {
+    Ok(TransportExperiment {
         params: params.clone(),
         cases,
     })
 }
 
 fn transported(
-    params: &TransportStudyParams,
+    params: &TransportExperimentParams,
     object: ObjectKind,
     template: &TriMesh,
     deformation: &Deformation,

@@ -10,7 +10,7 @@ use super::{ExperimentError, Fineness, Motion, ObjectKind, object};
 
 /// What is interpolated, and how.
 #[derive(Clone, Debug, PartialEq)]
-pub struct InterpolationStudyParams {
+pub struct InterpolationExperimentParams {
     /// Kinds of objects; all motions are applied to each.
     pub objects: Vec<ObjectKind>,
     /// How fine their meshes are.
@@ -19,7 +19,7 @@ pub struct InterpolationStudyParams {
     pub geodesic: GeodesicParams,
 }
 
-impl Default for InterpolationStudyParams {
+impl Default for InterpolationExperimentParams {
     /// Sphere and torus, three poses between (fig. 3.7).
     fn default() -> Self {
         Self {
@@ -54,9 +54,9 @@ pub struct InterpolationCase {
 
 /// All paths.
 #[derive(Clone, Debug, PartialEq)]
-pub struct InterpolationStudy {
+pub struct InterpolationExperiment {
     /// The settings with which it was run.
-    pub params: InterpolationStudyParams,
+    pub params: InterpolationExperimentParams,
     /// By object, then motion.
     pub cases: Vec<InterpolationCase>,
 }
@@ -65,10 +65,10 @@ pub struct InterpolationStudy {
 ///
 /// # Errors
 /// If settings are out of range, it was stopped, or there is no path.
-pub fn interpolation_study(
-    params: &InterpolationStudyParams,
+pub fn interpolation_experiment(
+    params: &InterpolationExperimentParams,
     progress: &Progress,
-) -> Result<InterpolationStudy, ExperimentError> {
+) -> Result<InterpolationExperiment, ExperimentError> {
     let mut cases = Vec::new();
     progress.expect_steps(params.objects.len() * Motion::ALL.len());
     for &kind in &params.objects {
@@ -80,14 +80,14 @@ pub fn interpolation_study(
             progress.check()?;
         }
     }
-    Ok(InterpolationStudy {
+    Ok(InterpolationExperiment {
         params: params.clone(),
         cases,
     })
 }
 
 fn interpolated(
-    params: &InterpolationStudyParams,
+    params: &InterpolationExperimentParams,
     kind: ObjectKind,
     mesh: &TriMesh,
     motion: Motion,

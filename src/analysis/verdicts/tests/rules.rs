@@ -1,0 +1,258 @@
+//! Hearts without walls, kinds, and rules that travel.
+
+use std::sync::Arc;
+
+use crate::analysis::verdicts::*;
+use crate::mesh::{Point3, TriMesh, phantom};
+use crate::progress::Progress;
+use crate::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
+use crate::units::LengthUnit;
+
+/// A closed cavity, a ball that keeps a share of its radius, and less on one side by `uneven`.
+fn cavity(
+    number: usize,
+    label: Option<&str>,
+    kept: f64,
+    uneven: f64,
+    fineness: u32,
+) -> Arc<Subject> {
+    let rest = phantom::sphere(fineness, 30.0 + 0.1 * number as f64);
+    let moved: Vec<Point3> = (rest.vertices().iter())
+        .map(|point| {
+            let side = if point.x > 0.0 { uneven } else { 0.0 };
+            Point3::from(point.coords * (kept - side))
+        })
+        .collect();
+    let contracted = TriMesh::new(moved, Arc::clone(rest.faces())).unwrap();
+    let surface = SurfaceSequence::new(SurfaceKind::Cavity, vec![rest, contracted]).unwrap();
+    let sequence = MeshSequence::new(vec![surface]).unwrap();
+    let mut subject = Subject::new(format!("H{number}"), sequence, LengthUnit::Millimetre);
+    subject.label = label.map(str::to_owned);
+    Arc::new(subject)
+}
+
+/// Eight of each of three labels: normal, dilated, uneven; and an unlabelled one that moves as the dilated do.
+fn study() -> Study {
+    let mut study = Study::default();
+    study.label_roles.normal = vec!["NOR".to_owned()];
+    study.label_roles.abnormal = vec!["DCM".to_owned(), "MINF".to_owned()];
+    for number in 0..8 {
+        let little = 0.004 * number as f64;
+        let kinds = [
+            ("NOR", 0.70 + little, 0.004 * ((number * 5) % 8) as f64),
+            ("DCM", 0.88 + little, 0.004 * ((number * 3) % 8) as f64),
+            ("MINF", 0.80 + little, 0.20 + little),
+        ];
+        for (place, (label, kept, uneven)) in kinds.into_iter().enumerate() {
+            study
+                .subjects
+                .push(cavity(3 * number + place, Some(label), kept, uneven, 2));
+        }
+    }
+    study.subjects.push(cavity(30, None, 0.895, 0.01, 2));
+    study
+}
+
+fn no_walls(study: &Study) -> Vec<Result<Examined, NotAssessed>> {
+    let reason = NotAssessed::NoThickening("no wall".to_owned());
+    vec![Err(reason); study.subjects.len()]
+}
+
+fn params() -> CheckedVerdictParams {
+    let params = VerdictParams {
+        permutations: 19,
+        ..VerdictParams::default()
+    };
+    params.check().unwrap()
+}
+
+fn classified(study: &Study) -> Verdicts {
+    verdicts(study, &no_walls(study), &params(), &Progress::default()).unwrap()
+}
+
+fn learnt(study: &Study) -> Rule {
+    learn(study, &no_walls(study), &params(), &Progress::default()).unwrap()
+}
+
+fn of(verdicts: &Verdicts, subject: usize) -> &Verdict {
+    verdicts.subjects[subject].as_ref().unwrap()
+}
+
+#[test]
+fn hearts_without_walls_get_a_verdict_by_what_is_left_and_the_kind_is_told() {
+    let study = study();
+    let found = classified(&study);
+    let quality = found.quality.unwrap();
+    assert!(
+        quality.accuracy.correct >= 23 && quality.accuracy.of == 24,
+        "{quality:?}"
+    );
+    assert!(quality.auc > 0.97 && quality.auc_p_value <= 0.1);
+    let kinds = quality.kinds.unwrap();
+    assert!(
+        kinds.correct >= 22 && kinds.of == 24 && kinds.largest_kind == 8,
+        "{kinds:?}"
+    );
+    for (subject, verdict) in study.subjects.iter().zip(&found.subjects) {
+        let verdict = verdict.as_ref().unwrap();
+        let sum: f64 = verdict.kinds.iter().map(|kind| kind.probability).sum();
+        assert!((sum - 1.0).abs() < 1e-9 && !verdict.wall, "{}", subject.id);
+        assert!(
+            verdict
+                .kinds
+                .is_sorted_by(|a, b| a.probability >= b.probability)
+        );
+        let own = verdict.reasons.iter().map(|reason| reason.log_odds);
+        assert!(own.into_iter().all(|odds| (odds > 0.0) == verdict.abnormal));
+    }
+    let unlabelled = of(&found, 24);
+    assert_eq!(unlabelled.kinds[0].label, "DCM");
+    assert_eq!(unlabelled.words(), "abnormal, wall not assessed");
+    assert_eq!(of(&found, 0).words(), "normal, wall not assessed");
+}
+
+#[test]
+fn a_heart_with_the_wrong_label_is_told_of_the_kind_that_it_is() {
+    let mut study = study();
+    Arc::make_mut(&mut study.subjects[4]).label = Some("NOR".to_owned());
+    let found = classified(&study);
+    assert_eq!(of(&found, 4).kinds[0].label, "DCM");
+    assert!(of(&found, 4).abnormal);
+}
+
+#[test]
+fn without_labels_there_is_no_verdict_on_a_heart_without_a_wall() {
+    let mut study = study();
+    for subject in &mut study.subjects {
+        Arc::make_mut(subject).label = None;
+    }
+    let found = classified(&study);
+    let reason = NotAssessed::NoThickening("no wall".to_owned());
+    assert!(
+        found
+            .subjects
+            .iter()
+            .all(|told| *told == Err(reason.clone()))
+    );
+}
+
+#[test]
+fn a_rule_says_of_a_subject_that_it_has_not_seen_what_its_study_says() {
+    let study = study();
+    let rule = learnt(&study);
+    let text = serde_json::to_string(&rule).unwrap();
+    assert!(
+        study
+            .subjects
+            .iter()
+            .all(|subject| !text.contains(&subject.id))
+    );
+    let read: Rule = serde_json::from_str(&text).unwrap();
+    assert_eq!(read, rule);
+    let alone = Study {
+        subjects: vec![Arc::clone(&study.subjects[24])],
+        ..Study::default()
+    };
+    let read = read.check().unwrap();
+    let by_rule = verdicts_by_rule(&alone, &no_walls(&alone), &read).unwrap();
+    let (own, told) = (classified(&study), of(&by_rule, 0));
+    assert!((told.probability - of(&own, 24).probability).abs() < 1e-12);
+    assert_eq!(
+        (&told.kinds, &told.reasons),
+        (&of(&own, 24).kinds, &of(&own, 24).reasons)
+    );
+    assert!(told.outside.is_empty(), "{:?}", told.outside);
+    assert!(told.training_set_distance.unwrap().as_far > 0.05);
+    assert_eq!(
+        by_rule.classifier,
+        ClassifierSource::Rule {
+            normal: 8,
+            abnormal: 16
+        }
+    );
+}
+
+#[test]
+fn a_heart_outside_what_a_rule_has_seen_says_by_which_feature_and_other_meshes_are_not_comparable()
+{
+    let rule = learnt(&study()).check().unwrap();
+    let far = Study {
+        subjects: vec![
+            cavity(0, None, 0.3, 0.0, 2),
+            cavity(1, None, 0.7, 0.0, 4),
+            // One pose has no motion.
+            Arc::new(Subject::new(
+                "H2",
+                MeshSequence::new(vec![
+                    SurfaceSequence::new(SurfaceKind::Cavity, vec![phantom::sphere(2, 30.0)])
+                        .unwrap(),
+                ])
+                .unwrap(),
+                LengthUnit::Millimetre,
+            )),
+        ],
+        ..Study::default()
+    };
+    let found = verdicts_by_rule(&far, &no_walls(&far), &rule).unwrap();
+    assert!(of(&found, 0).outside.contains(&Feature::EjectionFraction));
+    assert_eq!(of(&found, 0).training_set_distance.unwrap().as_far, 0.0);
+    let finer = found.subjects[1].as_ref().unwrap_err().to_string();
+    assert!(
+        finer.starts_with(
+            "not comparable: the classifier was trained on cavities of 162 to 162 vertices"
+        ),
+        "{finer}"
+    );
+    assert!(matches!(
+        found.subjects[2],
+        Err(NotAssessed::NoThickening(_))
+    ));
+}
+
+#[test]
+fn damaged_rules_are_refused() {
+    let rule = learnt(&study());
+    let damaged = |change: &dyn Fn(&mut Rule)| {
+        let mut rule = rule.clone();
+        change(&mut rule);
+        rule.check().map(|_| ()).unwrap_err()
+    };
+    assert!(matches!(
+        damaged(&|rule| rule.version = 2),
+        RuleError::Form { version: 2, .. }
+    ));
+    assert_eq!(
+        damaged(&|rule| rule.features[0].unit = "cm".to_owned()),
+        RuleError::Features
+    );
+    assert_eq!(
+        damaged(&|rule| rule.features.truncate(3)),
+        RuleError::Features
+    );
+    for numbers in [
+        &|rule: &mut Rule| rule.abnormal.weights.truncate(2) as (),
+        &|rule: &mut Rule| rule.abnormal.slope = f64::NAN,
+        &|rule: &mut Rule| rule.features[3].deviation = 0.0,
+        &|rule: &mut Rule| rule.distances.reverse(),
+        &|rule: &mut Rule| rule.kinds[0].model.absence_weights.push(1.0),
+    ] as [&dyn Fn(&mut Rule); 5]
+    {
+        assert_eq!(damaged(numbers), RuleError::Numbers);
+    }
+    assert!(rule.check().is_ok());
+}
+
+#[test]
+fn too_few_labels_teach_no_rule() {
+    let mut study = study();
+    study.subjects.truncate(7);
+    let told = learn(&study, &no_walls(&study), &params(), &Progress::default());
+    assert_eq!(
+        told,
+        Err(LearnError::TooFew {
+            normal: 3,
+            abnormal: 4,
+            least: 5
+        })
+    );
+}
