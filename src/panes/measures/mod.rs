@@ -39,8 +39,12 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
     if view.subject.is_none() {
         return no_subject_ui(ui, "Select a subject to see its measures");
     }
-    let frame = egui::Frame::new().inner_margin(egui::Margin::same(space::LARGE as i8));
     let low = ui.available_height() < ROOMY_HEIGHT;
+    let mut margin = egui::Margin::same(space::LARGE as i8);
+    if low {
+        margin.top = space::SMALL as i8;
+    }
+    let frame = egui::Frame::new().inner_margin(margin);
     // What does not fit is told by the bar of scrolling, before anybody points at it.
     let scroll = &mut ui.spacing_mut().scroll;
     (
