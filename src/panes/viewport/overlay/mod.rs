@@ -227,7 +227,7 @@ mod tests {
                     );
                 }
             }
-            assert!(width > 400.0 || note.width() < 100.0, "{width}: {note}");
+            assert!(width > 300.0 || note.width() < 100.0, "{width}: {note}");
         }
     }
 
