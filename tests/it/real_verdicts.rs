@@ -174,6 +174,10 @@ fn normal_hearts_of_the_built_in_cohort_have_no_patch_and_ill_ones_have() {
     let built_in = cohort(&BuiltInParams::default()).unwrap();
     let found = verdicts_of(&built_in.study);
     let mut false_patches = 0;
+    for verdict in found.subjects.iter().flatten() {
+        let ejects = verdict.features.get(Feature::EjectionFraction).unwrap() >= 0.52;
+        assert!(!ejects || verdict.finding != Finding::GlobalHypokinesia);
+    }
     for (truth, verdict) in built_in.truths.iter().zip(&found.subjects) {
         let finding = verdict.as_ref().unwrap().finding;
         match truth.abnormality {

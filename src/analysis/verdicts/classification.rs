@@ -1,5 +1,6 @@
 //! What a classifier, or default thresholds in its place, say of one subject.
 
+use crate::analysis::measures::EF_RANGE;
 use crate::analysis::thickening::Extent;
 
 use super::classifier::{Model, Row};
@@ -197,11 +198,14 @@ fn failure(features: &Features, extent: Option<Extent>) -> Finding {
         return Finding::WithoutPatch;
     };
     let reach = features.get(Feature::UpperRange).unwrap_or(0.0);
+    // A thick wall thickens by little in relation to itself: what ejects as healthy hearts do is not hypokinetic.
+    let ejects = features.get(Feature::EjectionFraction);
+    let ejects = ejects.is_some_and(|share| 100.0 * share >= EF_RANGE.low);
     match extent {
         // Nothing thickens: there is no remote myocardium that a region could be compared with.
         Extent::HardlyAnywhere => Finding::GlobalHypokinesia,
         // Before patches: a wall that fails as a whole often has a weakest part, which is no regional finding.
-        _ if reach < REGIONAL_REACH => Finding::GlobalHypokinesia,
+        _ if reach < REGIONAL_REACH && !ejects => Finding::GlobalHypokinesia,
         Extent::AllButPatches => Finding::Patch,
         Extent::Everywhere => Finding::WithoutPatch,
     }
