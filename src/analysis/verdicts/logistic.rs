@@ -226,7 +226,8 @@ mod tests {
         let all = cases(&rows, &targets);
         let as_cases = |all: &[(Vec<f64>, f64)], out: usize| -> Vec<f64> {
             let kept: Vec<_> = (all.iter().enumerate())
-                .filter_map(|(i, case)| (i != out).then(|| case.clone()))
+                .filter(|(i, _)| *i != out)
+                .map(|(_, case)| case.clone())
                 .collect();
             fitted(&kept, 1.0)
         };
