@@ -45,8 +45,8 @@ def split(program, study, subjects, roles, seed):
         train = half(study, place / "train", chosen)
         test = half(study, place / "test", {subject["id"] for subject in subjects} - chosen)
         run = lambda *words: subprocess.run([program, *map(str, words)], check=True, capture_output=True)
-        run("learn", train, "--out", place / "rule.json")
-        options = ["--figures", "off", "--distances", "none", "--rule", place / "rule.json"]
+        run("learn", train, "--out", place / "rule.json", "--follow-links")
+        options = ["--figures", "off", "--distances", "none", "--follow-links", "--rule", place / "rule.json"]
         run("analyze", test, "--out", place / "out", *options)
         rows = list(csv.DictReader(open(place / "out" / "verdicts.csv", newline="")))
     rows = [row for row in rows if row["label"] in roles and row["probability"]]
