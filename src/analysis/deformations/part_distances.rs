@@ -167,7 +167,7 @@ impl PartDistances {
 /// Both parts of the distances of all usable beats.
 ///
 /// **Deformation.** Poses are smoothed, sizes normalised, and every beat is transported onto the reference
-/// ([`transport_cohort`]), so that all motions begin at one shape; distances are those of [`motion_distances`].
+/// ([`transport_cohort`]), so that all motions begin at one shape; distances are those of `motions.rs::motion_distances`.
 ///
 /// **Shape.** Distances of the end-diastolic poses alone, smoothed, sizes normalised, each pair aligned
 /// ([`pose_distances`]).

@@ -140,7 +140,7 @@ pub fn patient_of(id: &str) -> Option<&str> {
     (!patient.is_empty()).then_some(patient)
 }
 
-/// Ranks partners by the distance of whole deformations ([`deformation_distances`]). Ties count against the
+/// Ranks partners by the distance of whole deformations ([`crate::analysis::deformations::deformation_distances`]). Ties count against the
 /// partner. The same bits for any number of threads.
 ///
 #[doc = include_str!("PARTNERS.md")]

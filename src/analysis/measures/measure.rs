@@ -174,7 +174,7 @@ fn constant(frames: &[FrameMeasures]) -> bool {
 }
 
 /// Frames of end-diastole and end-systole of a subject as it is now: what is stated counts at once, what is measured as
-/// soon as it is known. [`find_phases`] decides the same with the volumes at hand.
+/// soon as it is known. `find_phases` decides the same with the volumes at hand.
 pub fn phases_of(
     subject: &Subject,
     measures: Option<&SubjectMeasures>,

@@ -22,11 +22,11 @@ const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
 ///
 /// 1. A subject is not assessed where it has no thickening, where its surfaces are those of no wall, where its wall loses volume that myocardium cannot lose, and where
 ///    noise of thickening is a third of what remote myocardium does or more.
-/// 2. The rest is classified by a logistic classifier on [`Feature::MODEL_FEATURES`], standardised, both classes
+/// 2. The rest is classified by a logistic classifier on [`super::Feature::MODEL_FEATURES`], standardised, both classes
 ///    weighing alike, trained on the subjects whose label is of class normal or abnormal. The verdict on a labelled
 ///    subject comes from a classifier trained without it, calibrated by the scores of the others. With too few labels
 ///    a default threshold stands in: an akinetic share of the wall of 5.5 %.
-/// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::UpperRange`] is small: then
+/// 3. An abnormal subject has a patch where thickening found one, unless its [`super::Feature::UpperRange`] is small: then
 ///    hypokinesia is global.
 ///
 /// # Measured

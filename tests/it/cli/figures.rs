@@ -212,7 +212,7 @@ fn ctrl_c_ends_an_analysis_with_code_three_before_its_figures_are_drawn() {
     // Tables that were known by then stand there, and the summary says that the rest is missing.
     if out.exists() {
         let summary = fs::read_to_string(out.join("summary.json")).unwrap();
-        let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+        let summary: Value = serde_json::from_str(&summary).unwrap();
         assert_eq!(summary["complete"], false);
         let missing = summary["missing"].as_array().unwrap();
         assert!(missing.iter().any(|part| part == "figures"), "{summary}");
