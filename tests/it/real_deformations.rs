@@ -135,8 +135,13 @@ fn all() -> [Cases; 3] {
 }
 
 #[test]
-#[ignore = "minutes: prints the tables of the default smoothing of deformations"]
-fn smoothing_of_deformations() {
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
+fn the_default_smoothing_does_as_well_as_one_chosen_without_the_case() {
+    let usual = DeformationMapParams::default().smoothing;
+    let usual = RADII.iter().position(|radius| *radius == usual).unwrap();
     for cases in all() {
         println!(
             "{}: nearest neighbour | linear | in the plane | τ",
@@ -157,17 +162,23 @@ fn smoothing_of_deformations() {
             "nested: {right} of {} right, radii chosen {chosen:?} times",
             nested.len()
         );
+        let usual = cases.count_right(&curve[usual], None);
+        assert!(10 * usual >= 9 * right, "{usual}, nested {right}");
     }
 }
 
 #[test]
-#[ignore = "minutes: prints what metrics tell of deformations"]
-fn metrics_of_deformations() {
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
+fn no_other_metric_tells_deformations_apart_much_better_than_the_default() {
     for cases in all() {
         println!(
             "{}: nearest neighbour | linear | in the plane | τ",
             cases.name
         );
+        let mut counts = Vec::new();
         let default = MetricParams::default();
         let kind = |kind| MetricParams { kind, ..default };
         let angles = kind(MetricKind::AnglePreserving);
@@ -193,7 +204,10 @@ fn metrics_of_deformations() {
         ] {
             let parts = cases.parts(metric, DeformationMapParams::default().smoothing);
             println!("| {name} | {} |", cases.row(&parts.deformation));
+            counts.push(cases.count_right(&parts.deformation, None));
         }
+        let best = counts.iter().max().copied().unwrap_or_default();
+        assert!(10 * counts[0] >= 8 * best, "{counts:?}");
     }
 }
 

@@ -85,6 +85,21 @@ mod tests {
     use crate::picture::AnatomicalView;
     use egui_kittest::{Harness, kittest::Queryable as _};
 
+    fn bar(title: &'static str) -> ColourBarView<'static> {
+        ColourBarView {
+            title,
+            unit: "mm",
+            map: [[0, 0, 0], [255, 255, 255]].into(),
+            limits: [0.0, 12.0],
+            logarithmic: false,
+            ticks: &[],
+            below: [0, 0, 80],
+            above: [80, 0, 0],
+            note: "",
+            typed: false,
+        }
+    }
+
     fn harness() -> Harness<'static, Vec<Command>> {
         Harness::builder()
             .with_size([700.0, 500.0])
@@ -97,16 +112,8 @@ mod tests {
                     };
                     let view = ViewportOverlayView {
                         colour_bar: Some(ColourBarView {
-                            title: "Displacement",
-                            unit: "mm",
-                            map: [[0, 0, 0], [255, 255, 255]].into(),
-                            limits: [0.0, 12.0],
-                            logarithmic: false,
-                            ticks: &[],
-                            below: [0, 0, 80],
-                            above: [80, 0, 0],
                             note: "fixed for all subjects",
-                            typed: false,
+                            ..bar("Displacement")
                         }),
                         cube: Some(CubeView {
                             world_from_camera: glam::Quat::IDENTITY,
@@ -158,7 +165,7 @@ mod tests {
     fn over(
         size: [f32; 2],
         caption: SubjectCaption,
-        bar: Option<&'static str>,
+        title: Option<&'static str>,
         subject: Vec<Vec2>,
     ) -> Harness<'static, Vec<Command>> {
         let mut harness = Harness::builder()
@@ -166,20 +173,8 @@ mod tests {
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
             .build_ui_state(
                 move |ui, commands: &mut Vec<Command>| {
-                    let bar = bar.map(|title| ColourBarView {
-                        title,
-                        unit: "mm",
-                        map: [[0, 0, 0], [255, 255, 255]].into(),
-                        limits: [0.0, 12.0],
-                        logarithmic: false,
-                        ticks: &[],
-                        below: [0, 0, 80],
-                        above: [80, 0, 0],
-                        note: "",
-                        typed: false,
-                    });
                     let view = ViewportOverlayView {
-                        colour_bar: bar,
+                        colour_bar: title.map(bar),
                         subject: subject.clone(),
                         ..Default::default()
                     };
