@@ -23,157 +23,133 @@ enum Written {
     In(&'static str, usize),
 }
 
-/// A feature as it is shown: name, what it is, how it is written.
-type Shown = (Feature, &'static str, &'static str, Written);
+/// A feature as it is shown: what it is, how it is written.
+type Shown = (Feature, &'static str, Written);
 
 /// What is shown, in this order: first those of [`Feature::MODEL_FEATURES`], of the wall and of the whole heart, then those
 /// of the method (4.4–4.7) and what the patch table knows.
 const SHOWN: [Shown; 24] = [
     (
         Feature::AkineticShare,
-        "Akinetic region",
         "Share of the wall with thickening below 10 % from end-diastole to end-systole",
         Written::Share,
     ),
     (
         Feature::Median,
-        "Median thickening",
         "Median over the wall of thickening from end-diastole to end-systole",
         Written::Growth,
     ),
     (
         Feature::RelativeSpread,
-        "Thickening heterogeneity",
         "Spread of thickening over the wall, relative to the thickening of remote myocardium; 0 for uniform \
          thickening",
         Written::Ratio,
     ),
     (
         Feature::EjectionFraction,
-        "Ejection fraction",
         "Stroke volume relative to end-diastolic volume",
         Written::Share,
     ),
     (
         Feature::EdvIndex,
-        "EDV index",
         "End-diastolic volume relative to body surface (Mosteller); no value without height and weight",
         Written::In(" ml/m²", 0),
     ),
     (
         Feature::EsvIndex,
-        "ESV index",
         "End-systolic volume relative to body surface (Mosteller); no value without height and weight",
         Written::In(" ml/m²", 0),
     ),
     (
         Feature::MassIndex,
-        "Mass index",
         "Mass of the myocardium relative to body surface (Mosteller); no value without height and weight",
         Written::In(" g/m²", 0),
     ),
     (
         Feature::MassToVolume,
-        "Mass / EDV",
         "Mass of the myocardium relative to end-diastolic volume: large where the wall is thick for its cavity",
         Written::In(" g/ml", 2),
     ),
     (
         Feature::WallEd,
-        "Wall thickness at ED",
         "Median over the wall of its thickness at end-diastole",
         Written::In(" mm", 1),
     ),
     (
         Feature::ThickestEd,
-        "Greatest wall thickness at ED",
         "95th percentile over the wall of its thickness at end-diastole",
         Written::In(" mm", 1),
     ),
     (
         Feature::ThicknessRatio,
-        "Greatest / median wall thickness",
         "95th percentile of wall thickness at end-diastole relative to its median: 1 for a wall of one thickness",
         Written::Ratio,
     ),
     (
         Feature::WallEs,
-        "Wall thickness at ES",
         "Median over the wall of its thickness at end-systole",
         Written::In(" mm", 1),
     ),
     (
         Feature::ThickestEs,
-        "Greatest wall thickness at ES",
         "95th percentile over the wall of its thickness at end-systole",
         Written::In(" mm", 1),
     ),
     (
         Feature::SphericityEd,
-        "Sphericity at ED",
         "Volume of the cavity at end-diastole relative to a sphere whose diameter is the long axis",
         Written::Ratio,
     ),
     (
         Feature::SphericityEs,
-        "Sphericity at ES",
         "Volume of the cavity at end-systole relative to a sphere whose diameter is the long axis",
         Written::Ratio,
     ),
     (
         Feature::InwardSpread,
-        "Heterogeneity of inward motion",
         "Standard deviation over the inner surface of its motion towards the centroid, relative to the distance there",
         Written::Share,
     ),
     (
         Feature::InwardTenth,
-        "Least inward motion",
         "10th percentile over the inner surface of its motion towards the centroid, relative to the distance there",
         Written::Share,
     ),
     (
         Feature::Remote,
-        "Remote thickening",
         "Thickening of remote myocardium from end-diastole to end-systole",
         Written::Growth,
     ),
     (
         Feature::PatchThickening,
-        "Ratio of patch to remote thickening",
         "Thickening of the largest patch relative to that of remote myocardium: 0 without thickening, 1 without a \
          patch",
         Written::Ratio,
     ),
     (
         Feature::Confidence,
-        "Detection stability",
         "Share of noise redraws in which the largest patch is detected again; 0 without a patch",
         Written::Share,
     ),
     (
         Feature::Compactness,
-        "Compactness",
         "4π × area / perimeter² of the largest patch: 1 for a disc, small for an irregular outline, 0 without a \
          patch",
         Written::Ratio,
     ),
     (
         Feature::MeanPoseDistance,
-        "Mean pose distance",
         "Mean distance between poses in the shape space of the largest patch or, without one, of the akinetic \
          region: small for a region that changes little over the cycle",
         Written::Distance,
     ),
     (
         Feature::NormalSpread,
-        "Angular SD of ANV",
         "Angular standard deviation over the cycle of the average normal vector (ANV) of the largest patch or of the akinetic region",
         Written::Degrees,
     ),
     (
         Feature::MeanPositionDistance,
-        "Distance of MP to the surface",
         "Mean distance to the medial surface of the mean position (MP) of the largest patch or of the akinetic \
          region, in percent of the size of the heart: small for one compact patch",
         Written::OfSize,
@@ -187,7 +163,7 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
         .collect();
     SHOWN
         .into_iter()
-        .map(|(feature, name, what, written)| {
+        .map(|(feature, what, written)| {
             let all = assessed.iter().map(|(_, features)| features.get(feature));
             let whole = range(all);
             let normal = (assessed.iter())
@@ -200,7 +176,7 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
                 (most > least).then(|| ((value - least) / (most - least)) as f32)
             };
             EvidenceRow {
-                name,
+                name: feature.name(),
                 what,
                 value: value.map_or_else(|| "no value".to_owned(), |value| text(written, value)),
                 normal: normal.map_or_else(String::new, |range| range_text(written, range)),
@@ -215,7 +191,7 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
 /// A feature as its row writes it.
 pub fn written(feature: Feature, value: f64) -> String {
     let row = SHOWN.iter().find(|(shown, ..)| *shown == feature);
-    row.map_or_else(|| format!("{value:.2}"), |row| text(row.3, value))
+    row.map_or_else(|| format!("{value:.2}"), |row| text(row.2, value))
 }
 
 /// The least and the greatest of what is told.

@@ -20,7 +20,7 @@ fn report() -> VerdictReport {
             .to_owned(),
         probability: Some(0.973),
         kinds: vec![("MINF".to_owned(), "97 %".to_owned())],
-        reasons: "Strongest features: akinetic share of the wall 31 %".to_owned(),
+        reasons: "Strongest features: Akinetic region 31 %".to_owned(),
         calibrated: true,
         source: "Leave-one-out: this subject was not in the training set",
         training_distance: Some(TrainingDistance {

@@ -75,14 +75,14 @@ impl Row for VerdictRow {
             "Median over the training set of the distance to its nearest other subject, in \
                      standard deviations of the model features",
         ),
-        column("still_share", "Akinetic region", |row: &Self| {
+        column("still_share", Feature::AkineticShare.name(), |row: &Self| {
             feature(row, Feature::AkineticShare)
         })
         .share(
             "Share of the wall with thickening below 10 % from end-diastole to end-systole \
                      (akinetic)",
         ),
-        column("median_ln_pt", "Median thickening", |row: &Self| {
+        column("median_ln_pt", Feature::Median.name(), |row: &Self| {
             feature(row, Feature::Median)
         })
         .plain(
@@ -90,14 +90,14 @@ impl Row for VerdictRow {
                      end-systole",
         )
         .in_unit("ln PT"),
-        column("spread_ln_pt", "SD of thickening", |row: &Self| {
+        column("spread_ln_pt", Feature::Spread.name(), |row: &Self| {
             feature(row, Feature::Spread)
         })
         .plain("Area-weighted standard deviation over the wall of ln PT")
         .in_unit("ln PT"),
         column(
             "relative_spread",
-            "Thickening heterogeneity",
+            Feature::RelativeSpread.name(),
             |row: &Self| feature(row, Feature::RelativeSpread),
         )
         .plain(
@@ -106,17 +106,17 @@ impl Row for VerdictRow {
         ),
         column(
             "weakest_tenth_ln_pt",
-            "10th percentile of thickening",
+            Feature::TenthPercentile.name(),
             |row: &Self| feature(row, Feature::TenthPercentile),
         )
         .plain("Area-weighted 10th percentile over the wall of ln PT")
         .in_unit("ln PT"),
-        column("well_ln_pt", "Remote thickening", |row: &Self| {
+        column("well_ln_pt", Feature::Remote.name(), |row: &Self| {
             feature(row, Feature::Remote)
         })
         .plain("ln PT of the remote myocardium from end-diastole to end-systole")
         .in_unit("ln PT"),
-        column("reach_ln_pt", "Upper range of thickening", |row: &Self| {
+        column("reach_ln_pt", Feature::UpperRange.name(), |row: &Self| {
             feature(row, Feature::UpperRange)
         })
         .plain(
@@ -124,11 +124,11 @@ impl Row for VerdictRow {
                      over the wall",
         )
         .in_unit("ln PT"),
-        column("patch_share", "Wall in patches", |row: &Self| {
+        column("patch_share", Feature::PatchShare.name(), |row: &Self| {
             feature(row, Feature::PatchShare)
         })
         .share("Share of the wall in patches, each weighted by its detection stability"),
-        column("patch_confidence", "Detection stability", |row: &Self| {
+        column("patch_confidence", Feature::Confidence.name(), |row: &Self| {
             feature(row, Feature::Confidence)
         })
         .share(
@@ -137,28 +137,28 @@ impl Row for VerdictRow {
         ),
         column(
             "patch_relative_thickening",
-            "Ratio of patch to remote thickening",
+            Feature::PatchThickening.name(),
             |row: &Self| feature(row, Feature::PatchThickening),
         )
         .plain(
             "ln PT of the largest patch relative to that of the remote myocardium; 1 \
                      without a patch",
         ),
-        column("patch_compactness", "Compactness", |row: &Self| {
+        column("patch_compactness", Feature::Compactness.name(), |row: &Self| {
             feature(row, Feature::Compactness)
         })
         .plain(
             "Compactness of the largest patch, 4π × area / perimeter², at most 1; 0 without \
                      a patch",
         ),
-        column("pose_distance", "Mean pose distance", |row: &Self| {
+        column("pose_distance", Feature::MeanPoseDistance.name(), |row: &Self| {
             feature(row, Feature::MeanPoseDistance)
         })
         .plain(
             "Mean distance between poses in the medial shape space, of the largest patch \
                      or, without one, of all akinetic atoms",
         ),
-        column("normal_spread_rad", "Angular SD of ANV", |row: &Self| {
+        column("normal_spread_rad", Feature::NormalSpread.name(), |row: &Self| {
             feature(row, Feature::NormalSpread)
         })
         .plain(
@@ -166,7 +166,7 @@ impl Row for VerdictRow {
                      beat",
         )
         .in_unit("rad"),
-        column("gap_sizes", "Distance of MP", |row: &Self| {
+        column("gap_sizes", Feature::MeanPositionDistance.name(), |row: &Self| {
             feature(row, Feature::MeanPositionDistance)
         })
         .coordinate(
@@ -181,93 +181,93 @@ impl Row for VerdictRow {
             "Measures outside the range of healthy adults, as in subjects.csv: a wall without a \
                      regional finding may still belong to a failing ventricle",
         ),
-        column("ejection_fraction", "Ejection fraction", |row: &Self| {
+        column("ejection_fraction", Feature::EjectionFraction.name(), |row: &Self| {
             feature(row, Feature::EjectionFraction)
         })
         .share(
             "Stroke volume over end-diastolic volume",
         ),
-        column("edv_index", "EDV index", |row: &Self| {
+        column("edv_index", Feature::EdvIndex.name(), |row: &Self| {
             feature(row, Feature::EdvIndex)
         })
         .plain(
             "End-diastolic volume over body surface (Mosteller); empty without height and weight",
         )
         .in_unit("ml/m²"),
-        column("esv_index", "ESV index", |row: &Self| {
+        column("esv_index", Feature::EsvIndex.name(), |row: &Self| {
             feature(row, Feature::EsvIndex)
         })
         .plain(
             "End-systolic volume over body surface; empty without height and weight",
         )
         .in_unit("ml/m²"),
-        column("mass_index", "Mass index", |row: &Self| {
+        column("mass_index", Feature::MassIndex.name(), |row: &Self| {
             feature(row, Feature::MassIndex)
         })
         .plain(
             "Mass of the myocardium over body surface; empty without height and weight",
         )
         .in_unit("g/m²"),
-        column("mass_to_edv", "Mass / EDV", |row: &Self| {
+        column("mass_to_edv", Feature::MassToVolume.name(), |row: &Self| {
             feature(row, Feature::MassToVolume)
         })
         .plain(
             "Mass of the myocardium over end-diastolic volume",
         )
         .in_unit("g/ml"),
-        column("wall_ed_mm", "Wall thickness at ED", |row: &Self| {
+        column("wall_ed_mm", Feature::WallEd.name(), |row: &Self| {
             feature(row, Feature::WallEd)
         })
         .plain(
             "Area-weighted median of wall thickness (diameter of medial spheres) at end-diastole",
         )
         .in_unit("mm"),
-        column("wall_p95_ed_mm", "Greatest wall thickness at ED", |row: &Self| {
+        column("wall_p95_ed_mm", Feature::ThickestEd.name(), |row: &Self| {
             feature(row, Feature::ThickestEd)
         })
         .plain(
             "Area-weighted 95th percentile of wall thickness at end-diastole",
         )
         .in_unit("mm"),
-        column("wall_ratio_ed", "Greatest / median wall thickness", |row: &Self| {
+        column("wall_ratio_ed", Feature::ThicknessRatio.name(), |row: &Self| {
             feature(row, Feature::ThicknessRatio)
         })
         .plain(
             "95th percentile of wall thickness at end-diastole over its median",
         ),
-        column("wall_es_mm", "Wall thickness at ES", |row: &Self| {
+        column("wall_es_mm", Feature::WallEs.name(), |row: &Self| {
             feature(row, Feature::WallEs)
         })
         .plain(
             "Area-weighted median of wall thickness at end-systole",
         )
         .in_unit("mm"),
-        column("wall_p95_es_mm", "Greatest wall thickness at ES", |row: &Self| {
+        column("wall_p95_es_mm", Feature::ThickestEs.name(), |row: &Self| {
             feature(row, Feature::ThickestEs)
         })
         .plain(
             "Area-weighted 95th percentile of wall thickness at end-systole",
         )
         .in_unit("mm"),
-        column("sphericity_ed", "Sphericity at ED", |row: &Self| {
+        column("sphericity_ed", Feature::SphericityEd.name(), |row: &Self| {
             feature(row, Feature::SphericityEd)
         })
         .plain(
             "Volume of the cavity at end-diastole over that of a sphere whose diameter is the long axis",
         ),
-        column("sphericity_es", "Sphericity at ES", |row: &Self| {
+        column("sphericity_es", Feature::SphericityEs.name(), |row: &Self| {
             feature(row, Feature::SphericityEs)
         })
         .plain(
             "The same at end-systole",
         ),
-        column("inward_sd", "Heterogeneity of inward motion", |row: &Self| {
+        column("inward_sd", Feature::InwardSpread.name(), |row: &Self| {
             feature(row, Feature::InwardSpread)
         })
         .plain(
             "Area-weighted standard deviation over the inner surface of its motion towards the centroid from end-diastole to end-systole, over the distance there",
         ),
-        column("inward_p10", "Least inward motion", |row: &Self| {
+        column("inward_p10", Feature::InwardTenth.name(), |row: &Self| {
             feature(row, Feature::InwardTenth)
         })
         .plain(

@@ -148,12 +148,7 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
     assert_eq!(cell(0, "finding"), Finding::Patch.name());
     assert_eq!(
         ["kind", "kind_probability", "kind_probabilities", "reasons"].map(|name| cell(0, name)),
-        [
-            "MINF",
-            "0.75",
-            "MINF 0.750",
-            "akinetic share of the wall +1.50"
-        ]
+        ["MINF", "0.75", "MINF 0.750", "Akinetic region +1.50"]
     );
     assert_eq!(cell(1, "finding"), "not assessed");
     assert_eq!(

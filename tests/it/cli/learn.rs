@@ -44,7 +44,7 @@ fn a_rule_holds_units_ranges_and_figures_and_no_subject() {
     let features = json["features"].as_array().unwrap();
     let ef = features
         .iter()
-        .find(|f| f["name"] == "ejection fraction")
+        .find(|f| f["name"] == "Ejection fraction")
         .unwrap();
     assert!(ef["range"][0].as_f64().unwrap() < ef["range"][1].as_f64().unwrap());
     assert_eq!(

@@ -140,7 +140,7 @@ fn a_classifier_from_a_file_says_so_and_what_it_has_not_seen() {
     let shown = report(&state).unwrap();
     assert!(shown.calibrated && shown.source.ends_with("from a file"));
     let distance = shown.training_distance.unwrap();
-    assert!(distance.outside && distance.words.ends_with("range: ejection fraction"));
+    assert!(distance.outside && distance.words.ends_with("range: Ejection fraction"));
     state.document.subject = 2;
     let sentence = report(&state).unwrap().sentence;
     assert!(sentence.starts_with("Not comparable"), "{sentence}");
