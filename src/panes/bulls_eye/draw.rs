@@ -208,7 +208,6 @@ fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
 pub fn names(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
     let put = |at: Pos2, align: Align2, text: &str| note_at(ui, at, align, text);
     if !view.flat.oriented {
-        put(area.left_top(), Align2::LEFT_TOP, "orientation unknown");
         return;
     }
     let (c, r) = (disc.centre, disc.radius + 3.0);
@@ -225,15 +224,20 @@ pub fn names(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
     put(pos2(c.x + r, c.y), Align2::LEFT_CENTER, right);
 }
 
-/// Whose wall it is, in the corner that the disc leaves free.
+/// Whose wall it is, in the corner that the disc leaves free; without orientation in the line above the disc.
 pub fn subject(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
-    let mut words =
-        LayoutJob::simple_singleline(view.subject.to_owned(), note_font(), colours(ui).strong);
-    words.wrap = TextWrapping::truncate_at_width(corner_width(disc, area));
+    let (words, width) = match view.flat.oriented {
+        true => (view.subject.to_owned(), corner_width(disc, area)),
+        false => (
+            format!("orientation unknown · {}", view.subject),
+            area.width(),
+        ),
+    };
+    let mut words = LayoutJob::simple_singleline(words, note_font(), colours(ui).muted);
+    words.wrap = TextWrapping::truncate_at_width(width);
     let galley = ui.painter().layout_job(words);
-    let note = if view.flat.oriented { 0.0 } else { 14.0 };
-    let at = area.left_top() + vec2(0.0, note);
-    ui.painter().galley(at, galley, colours(ui).strong);
+    ui.painter()
+        .galley(area.left_top(), galley, colours(ui).muted);
 }
 
 /// Width of the corner beside the disc: up to the word above it.
