@@ -4,6 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::analysis::medial_space::RatioForm;
 
+/// PT from end-diastole to end-systole below which a wall is akinetic, thickening of 10 %: "roughly equal to one" (4.4).
+pub const AKINETIC_PT: f64 = 1.1;
+
 /// Settings of the search for the part of the wall that does not thicken;
 /// [`ThickeningParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -14,12 +17,13 @@ pub struct ThickeningParams {
     pub tolerance: Option<f64>,
     /// What r̂ of a descriptor is made of.
     pub ratio: RatioForm,
-    /// A patch has a core that thickens over the beat by less than this share of what remote myocardium does …
+    /// Core threshold: the core of a patch thickens over the beat by less than this share of what remote myocardium does.
     pub core: f64,
-    /// … and by less than this in ln PT from end-diastole to end-systole: "roughly equal to one".
+    /// Akinetic threshold: the core also thickens by less than this, ln PT from end-diastole to end-systole.
     #[serde(rename = "still")]
     pub akinetic: f64,
-    /// It reaches as far as the wall thickens by less than this share of what remote myocardium does.
+    /// Extent threshold: a patch reaches as far as the wall thickens by less than this share of what remote myocardium
+    /// does.
     #[serde(rename = "border")]
     pub extent: f64,
     /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
@@ -48,10 +52,10 @@ impl Default for ThickeningParams {
             tolerance: None,
             ratio: RatioForm::GeometricMean,
             core: 0.2,
-            akinetic: 1.1_f64.ln(),
+            akinetic: AKINETIC_PT.ln(),
             extent: 0.4,
             min_share: 0.02,
-            min_thickening: 1.1_f64.ln(),
+            min_thickening: AKINETIC_PT.ln(),
             smoothing: 0.01,
             redraws: 50,
             seed: 2009,

@@ -3,7 +3,8 @@
 use crate::analysis::classification::Accuracy;
 use crate::analysis::thickening::Extent;
 
-use super::features::{Feature, Features};
+use super::feature::Feature;
+use super::features::Features;
 
 /// What a verdict needs of one subject.
 #[derive(Clone, Debug, Default, PartialEq)]

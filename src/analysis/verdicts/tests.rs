@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::measures::{PhaseSource, SubjectMeasures};
 use crate::analysis::medial::{Atom, MedialBeat, MedialSurface};
-use crate::analysis::thickening::{Thickening, ThickeningParams, thickening};
+use crate::analysis::thickening::{AKINETIC_PT, Thickening, ThickeningParams, thickening};
 use crate::mesh::{Point3, Vector3, phantom};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
@@ -215,6 +215,23 @@ fn features_are_what_was_built_in() {
     assert!(of(11, Feature::NormalSpread) < 0.1 && of(11, Feature::MeanPoseDistance) < 0.2);
     let reach = of(11, Feature::Remote) + 2.0 * of(11, Feature::Spread);
     assert_eq!(of(11, Feature::UpperRange), reach);
+}
+
+#[test]
+fn the_akinetic_share_is_of_what_thickens_by_less_than_ten_percent() {
+    let shares = [0.9, 1.1].map(|factor| {
+        let (beat, thickening) = heart(|_| factor * AKINETIC_PT.ln(), 0.0);
+        let heart = VerdictInput {
+            beat: &beat,
+            thickening: &thickening,
+        };
+        features::Features::new(&heart).get(Feature::AkineticShare)
+    });
+    assert_eq!(shares, [Some(1.0), Some(0.0)]);
+    assert!((AKINETIC_PT - 1.1).abs() < 1e-15);
+    let default = ThickeningParams::default();
+    assert_eq!(default.akinetic, AKINETIC_PT.ln());
+    assert_eq!(default.min_thickening, AKINETIC_PT.ln());
 }
 
 #[test]
