@@ -26,12 +26,11 @@ use crate::report::{
 };
 use crate::study::Study;
 
-/// Share of the work until poses are mapped; the rest classifies motions …
+/// Share of the work that is done when poses are mapped.
 const POSES_SHARE: f32 = 0.75;
-/// … until here, and then assesses walls.
+/// Share of the work that is done when motions are classified.
 const CLASSES_SHARE: f32 = 0.8;
-
-/// … until here, and then classifies subjects.
+/// Share of the work that is done when walls are assessed; the rest classifies subjects.
 const WALLS_SHARE: f32 = 0.99;
 
 /// How distances of poses are written: their number grows with the square of that of the poses.

@@ -177,9 +177,9 @@ pub struct DeformationRow {
     pub nearest: Option<String>,
     /// How far that is.
     pub distance: Option<f64>,
-    /// Parts of it, before weights.
+    /// Part of the distance that is of deformations, before weights.
     pub deformation: Option<f64>,
-    /// The same of shape.
+    /// Part of the distance that is of shapes, before weights.
     pub shape: Option<f64>,
     /// Share of shape in both parts, each over its median, in `0.0..=1.0`.
     pub shape_share: Option<f64>,

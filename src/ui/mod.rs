@@ -1,4 +1,4 @@
-//! Panels, plots and widgets: they draw prepared views and push commands.
+//! Widgets, theme, marks and number fields: what panes and bars are drawn with, whatever they show.
 
 pub(crate) mod controls;
 pub(crate) mod fuzzy;

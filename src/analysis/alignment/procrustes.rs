@@ -6,7 +6,7 @@ use crate::mesh::Point3;
 
 use super::{cross_covariance, rotation_from_covariance};
 
-/// The rigid motion x ↦ R x + t that transports source coordinates to target coordinates.
+/// The rigid motion x ↦ R x + t that maps source coordinates to target coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidMotion {
     /// R, with determinant +1.
@@ -15,7 +15,7 @@ pub struct RigidMotion {
     pub translation: Vector3<f64>,
 }
 
-/// The similarity x ↦ c R x + t that transports source coordinates to target coordinates.
+/// The similarity x ↦ c R x + t that maps source coordinates to target coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Similarity {
     /// c, positive or zero.

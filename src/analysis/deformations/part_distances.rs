@@ -34,7 +34,7 @@ pub struct PartParams {
     pub transport: CohortTransportParams,
     /// Radius below which poses are smoothed before motions are compared, as in [`PoseDistanceParams`].
     pub smoothing: f64,
-    /// The same for end-diastolic shapes.
+    /// Radius below which poses are smoothed before end-diastolic shapes are compared.
     pub shape_smoothing: f64,
 }
 
@@ -226,10 +226,10 @@ fn leave_out_overflowing(cohort: &mut TransportedCohort) {
     });
 }
 
-/// The study with the end-diastolic pose of each subject alone.
+/// The study with the pose at the start frame of each subject alone.
 fn end_diastoles(study: &Study) -> Study {
     let at_end_diastole = |subject: &Arc<Subject>| {
-        let frame = subject.end_diastole.unwrap_or(0);
+        let frame = subject.start_frame();
         let surfaces = subject.sequence.surfaces().iter().map(|surface| {
             let mesh = surface.frames().get(frame)?.clone();
             SurfaceSequence::new(surface.kind(), vec![mesh]).ok()
@@ -242,7 +242,7 @@ fn end_diastoles(study: &Study) -> Study {
         }))
     };
     Study {
-        // A subject without that frame is refused where its motion is, with the reason.
+        // A frame that makes no sequence of its own is refused where its motion is, with the reason.
         subjects: (study.subjects.iter())
             .map(|subject| at_end_diastole(subject).unwrap_or_else(|| Arc::clone(subject)))
             .collect(),

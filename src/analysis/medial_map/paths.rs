@@ -9,12 +9,12 @@ use super::placement::{Frame, Placement};
 use super::result::{AkineticPart, AkineticPath, NotMapped, PathStep, SubjectPaths};
 
 /// Paths of the poses of one subject: one for each patch, from all of its atoms at every step (4.6.2); where there is
-/// no patch, that of M̂, as the method has it (4.5). M̂ is another set in every step: all of the wall where even a well
-/// one hardly changes, as in diastasis, and little or nothing in contraction. So its path goes far, unless
-/// all of the wall is still in every step, as in a subject that hardly thickens at all.
+/// no patch, that of M̂, as the method has it (4.5). M̂ is another set in every step: all of the wall where even remote
+/// myocardium hardly changes, as in diastasis, and little or nothing in contraction. So its path goes far, unless
+/// all of the wall is akinetic in every step, as in a subject that hardly thickens at all.
 ///
 /// # Errors
-/// If nothing is still in any step, or the subject has no extent.
+/// If nothing is akinetic in any step, or the subject has no extent.
 pub fn subject_paths(
     beat: &MedialBeat,
     found: &Thickening,
@@ -52,7 +52,7 @@ pub fn subject_paths(
         patches.map(path_of).collect()
     };
     if paths.iter().all(|path| path.steps.is_empty()) {
-        return Err(NotMapped::NothingStill {
+        return Err(NotMapped::NothingAkinetic {
             steps: found.steps.len(),
         });
     }

@@ -265,5 +265,5 @@ fn steps_in_which_nothing_is_still_are_left_out_and_a_heart_without_any_says_so(
         step.descriptor = None;
     }
     let reason = subject_paths(&heart.beat, &heart.found, None).unwrap_err();
-    assert_eq!(reason, NotMapped::NothingStill { steps: 8 });
+    assert_eq!(reason, NotMapped::NothingAkinetic { steps: 8 });
 }

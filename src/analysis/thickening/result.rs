@@ -30,9 +30,9 @@ pub struct ThickeningStep {
     /// contraction, below one in expansion, by more than the tolerance.
     pub remote_share: f64,
     /// Whether remote myocardium changes in this step by more than twice the tolerance: where even it
-    /// hardly moves, as in diastasis, all of it is still and M̂ tells nothing.
+    /// hardly moves, as in diastasis, all of it is akinetic and M̂ tells nothing.
     pub telling: bool,
-    /// (x̄, r̂, ρ, N̄) of M̂ at t₁; `None` where nothing is still.
+    /// (x̄, r̂, ρ, N̄) of M̂ at t₁; `None` where nothing is akinetic.
     pub descriptor: Option<PoseDescriptor>,
     /// From x̄ (MP) to the medial surface at t₁, in sizes of the subject.
     pub gap: Option<f64>,
@@ -71,7 +71,7 @@ pub struct Patch {
     pub atoms: Vec<u32>,
     /// Area on the medial surface at end-diastole, in the square of the coordinates' unit.
     pub area: f64,
-    /// The same in cm²; `None` where the unit of coordinates is not known.
+    /// Area in cm²; `None` where the unit of coordinates is not known.
     pub area_cm2: Option<f64>,
     /// Share of the regular medial surface, 0..=1.
     pub share: f64,
@@ -109,7 +109,7 @@ pub struct SmallestPatch {
     pub share: f64,
     /// Area on the medial surface at end-diastole, in the square of the coordinates' unit.
     pub area: f64,
-    /// The same in cm²; `None` where the unit of coordinates is not known.
+    /// Area in cm²; `None` where the unit of coordinates is not known.
     pub area_cm2: Option<f64>,
 }
 
