@@ -50,8 +50,8 @@ pub use noise_plot::noise_page;
 pub use numbers::{SurfaceScalars, relative_density};
 pub use origin::PictureOrigin;
 pub use patch_words::{
-    PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,
-    sentence, smallest_words,
+    PatchStanding, area_text, part_name, patch_heading, percent, segment_words, sentence,
+    smallest_words, wall_thickening_words,
 };
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;

@@ -8,7 +8,7 @@ use crate::analysis::measures::measure_subject;
 use crate::analysis::medial::{MedialBeat, MedialParams, medial_beat};
 use crate::analysis::medial_space::{PoseDescriptor, pose_distance};
 use crate::analysis::segments::{LongAxis, long_axis};
-use crate::analysis::thickening::{Extent, Thickening, ThickeningParams, thickening};
+use crate::analysis::thickening::{Thickening, ThickeningParams, WallThickening, thickening};
 use crate::mesh::{Point3, Vector3};
 use crate::progress::{Progress, Stopped};
 use crate::study::Subject;
@@ -197,7 +197,9 @@ fn each_patch_has_its_path_and_hearts_without_one_wander() {
     let spreads = |patch: bool| -> Vec<f64> {
         let mut told: Vec<f64> = (map.spreads.iter())
             .filter(|spread| spread.part.patch().is_some() == patch)
-            .filter(|spread| patch || hearts[spread.subject].found.extent == Extent::Everywhere)
+            .filter(|spread| {
+                patch || hearts[spread.subject].found.wall_thickening == WallThickening::Everywhere
+            })
             .filter_map(|spread| spread.mean_distance)
             .collect();
         told.sort_by(f64::total_cmp);

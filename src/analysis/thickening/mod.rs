@@ -30,8 +30,8 @@ pub use by_place::{PlaceThickening, thickening_of_levels, thickening_of_segments
 pub use error::ThickeningError;
 pub use params::{AKINETIC_PT, CheckedThickeningParams, ThickeningParamError, ThickeningParams};
 pub use result::{
-    Extent, HalfBeat, Patch, PatchSegment, SmallestPatch, TemporalConsistency, Thickening,
-    ThickeningStep,
+    HalfBeat, Patch, PatchSegment, SmallestPatch, TemporalConsistency, Thickening, ThickeningStep,
+    WallThickening,
 };
 pub use steps::{half_beat_of, thickness_ratios};
 pub use surface::phases;

@@ -45,10 +45,12 @@ pub(super) fn akinetic_regions(
         ..
     } = surface;
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
-        .map(|(&value, &area)| area > 0.0 && value <= params.extent * remote)
+        .map(|(&value, &area)| area > 0.0 && value <= params.extent_threshold * remote)
         .collect();
     // The absolute limit guards against calling a moderately thickening part akinetic beside a very good rest.
-    let core = params.akinetic.min(params.core * remote);
+    let core = params
+        .akinetic_threshold
+        .min(params.core_threshold * remote);
     let area_of = |part: &[u32], counts: &dyn Fn(usize) -> bool| -> f64 {
         (part.iter().map(|&atom| atom as usize))
             .filter(|&atom| counts(atom))

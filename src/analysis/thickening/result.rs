@@ -93,7 +93,7 @@ pub struct Patch {
 
 /// What the whole wall does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Extent {
+pub enum WallThickening {
     /// All of it thickens.
     Everywhere,
     /// All but the patches.
@@ -155,7 +155,7 @@ pub struct Thickening {
     /// even a patch of three fifths, or hardly anything thickens.
     pub smallest: Option<SmallestPatch>,
     /// What the whole wall does.
-    pub extent: Extent,
+    pub wall_thickening: WallThickening,
     /// By falling area.
     pub patches: Vec<Patch>,
 }

@@ -132,7 +132,7 @@ pub fn examine(
         }),
         None => Ok(Examined {
             features,
-            extent: Some(heart.thickening.extent),
+            wall_thickening: Some(heart.thickening.wall_thickening),
             patched: (heart.thickening.patches.iter()).fold(0.0, |sum, patch| sum + patch.share),
         }),
     }

@@ -74,14 +74,14 @@ mod tests {
         let before = state.document.thickening;
         for extent in [0.3, 0.35, 0.5] {
             let mut settings = before;
-            settings.patches.extent = extent;
+            settings.patches.extent_threshold = extent;
             give(
                 &mut state,
                 Command::Wall(WallCommand::SetThickening(settings)),
                 true,
             );
         }
-        assert_eq!(state.document.thickening.patches.extent, 0.5);
+        assert_eq!(state.document.thickening.patches.extent_threshold, 0.5);
         give(&mut state, Command::Edit(EditCommand::Undo), false);
         assert_eq!(state.document.thickening, before);
     }
@@ -91,7 +91,7 @@ mod tests {
         let mut state = state();
         let before = state.document.thickening;
         let mut settings = before;
-        settings.patches.extent = 0.1;
+        settings.patches.extent_threshold = 0.1;
         give(
             &mut state,
             Command::Wall(WallCommand::SetThickening(settings)),

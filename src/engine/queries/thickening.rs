@@ -166,9 +166,9 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
     let ThickeningParams {
         tolerance,
         ratio,
-        core,
-        akinetic,
-        extent,
+        core_threshold,
+        akinetic_threshold,
+        extent_threshold,
         min_share,
         min_thickening,
         smoothing,
@@ -182,8 +182,8 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         RatioForm::Product => "product",
     };
     format!(
-        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core}, akinetic threshold {akinetic:.3}, \
-         extent threshold {extent}, minimum area {min_share}, minimum thickening {min_thickening:.3}, \
+        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core_threshold}, akinetic threshold {akinetic_threshold:.3}, \
+         extent threshold {extent_threshold}, minimum area {min_share}, minimum thickening {min_thickening:.3}, \
          averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)

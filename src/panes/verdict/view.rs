@@ -112,7 +112,7 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
 fn mark(finding: Finding) -> VerdictMark {
     match finding {
         Finding::Nothing => VerdictMark::NoAbnormality,
-        Finding::Patch | Finding::LowThickening => VerdictMark::Patch,
+        Finding::AbnormalPatch | Finding::UnclassifiedPatch => VerdictMark::Patch,
         Finding::GlobalHypokinesia => VerdictMark::GlobalHypokinesia,
         Finding::WithoutPatch => VerdictMark::AbnormalWithoutPatch,
     }
@@ -143,7 +143,7 @@ fn sentence(verdict: &Verdict, calibrated: bool) -> String {
         // Without a classifier there is nobody that it could be like.
         Finding::Nothing if !calibrated => format!("No patch counts by default thresholds{little}"),
         Finding::Nothing => format!("The heart is as those of the normal subjects{little}"),
-        Finding::Patch | Finding::LowThickening => {
+        Finding::AbnormalPatch | Finding::UnclassifiedPatch => {
             "Thickening in part of the wall is far below that of remote myocardium".to_owned()
         }
         Finding::GlobalHypokinesia => {

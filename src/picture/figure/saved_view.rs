@@ -307,7 +307,7 @@ mod tests {
     #[test]
     fn a_view_comes_back_from_its_text() {
         let mut view = view();
-        view.thickening.patches.extent = 0.55;
+        view.thickening.patches.extent_threshold = 0.55;
         assert_eq!(SavedView::read(&view.text()).unwrap(), view);
         assert_eq!(view.part(), Some(WallPart::Patch(1)));
     }

@@ -79,8 +79,8 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
             .count()
     };
     let mut parts: Vec<String> = [
-        Finding::Patch,
-        Finding::LowThickening,
+        Finding::AbnormalPatch,
+        Finding::UnclassifiedPatch,
         Finding::GlobalHypokinesia,
         Finding::WithoutPatch,
         Finding::Nothing,

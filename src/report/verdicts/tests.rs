@@ -85,7 +85,7 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
 #[test]
 fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
     let verdict = Verdict {
-        finding: Finding::Patch,
+        finding: Finding::AbnormalPatch,
         abnormal: true,
         probability: 0.1 + 0.2,
         features: Features::default(),
@@ -145,7 +145,7 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
         rows[0].iter().take(6).collect::<Vec<_>>().join("|"),
         "P, 1|MINF|abnormal|0.30000000000000004|yes|"
     );
-    assert_eq!(cell(0, "finding"), Finding::Patch.name());
+    assert_eq!(cell(0, "finding"), Finding::AbnormalPatch.name());
     assert_eq!(
         ["kind", "kind_probability", "kind_probabilities", "reasons"].map(|name| cell(0, name)),
         ["MINF", "0.75", "MINF 0.750", "Akinetic region +1.50"]

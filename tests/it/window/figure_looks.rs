@@ -101,7 +101,7 @@ fn the_look_is_that_of_the_command_and_so_are_the_thresholds_given_in_the_same_f
             && !app.busy()
     });
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.3;
+    settings.patches.extent_threshold = 0.3;
     let [early, late] = ["early.png", "late.png"].map(|name| folder.path().join(name));
     let small = |background| FigureLook {
         size: Some([800, 600]),

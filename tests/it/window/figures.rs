@@ -29,7 +29,7 @@ fn arranged_window() -> Harness<'static, App> {
         }),
     );
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.5;
+    settings.patches.extent_threshold = 0.5;
     for command in [
         Command::Wall(WallCommand::SetThickening(settings)),
         Command::Transport(TransportCommand::SetInterpolatedPoses(0)),

@@ -58,7 +58,7 @@ fn the_built_in_cohort_is_judged_in_table_and_pane() {
     );
     harness.run_steps(2);
     let found = verdict(harness.state(), PATCHED).clone();
-    assert_eq!(found.finding, Finding::Patch);
+    assert_eq!(found.finding, Finding::AbnormalPatch);
     let share = format!("{:.0} %", 100.0 * found.patched);
     let id = harness
         .state()
@@ -87,7 +87,7 @@ fn the_built_in_cohort_is_judged_in_table_and_pane() {
     // The note over the picture and the table of patches say the same.
     assert_eq!(
         harness.state().state().patch_standing(PATCHED),
-        PatchStanding::Abnormal
+        PatchStanding::AbnormalPatch
     );
     harness.get_by_label_contains(" abnormal patch");
 }
@@ -104,9 +104,9 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
         .unwrap();
     // Thresholds that take much of any wall for a patch.
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.9;
-    settings.patches.core = 0.85;
-    settings.patches.akinetic = 1.0;
+    settings.patches.extent_threshold = 0.9;
+    settings.patches.core_threshold = 0.85;
+    settings.patches.akinetic_threshold = 1.0;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),
@@ -122,7 +122,7 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
         "regions of low thickening"
     );
     assert_eq!(verdict(harness.state(), normal).finding, Finding::Nothing);
-    assert_eq!(state.patch_standing(normal), PatchStanding::LowThickening);
+    assert_eq!(state.patch_standing(normal), PatchStanding::RegionOnly);
     harness.run_steps(2);
     harness.get_by_label("No regional abnormality");
     assert!(
@@ -257,8 +257,8 @@ fn other_thresholds_ask_for_other_verdicts_while_those_before_stay() {
     select(&mut harness, PATCHED);
     let before = Arc::clone(harness.state().state().verdicts().unwrap().0);
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.6;
-    settings.patches.core = 0.3;
+    settings.patches.extent_threshold = 0.6;
+    settings.patches.core_threshold = 0.3;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),

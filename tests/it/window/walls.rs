@@ -100,8 +100,8 @@ fn a_threshold_finds_other_patches_while_the_ones_before_stay_on_screen() {
     };
     let before = share(harness.state());
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.8;
-    settings.patches.core = 0.5;
+    settings.patches.extent_threshold = 0.8;
+    settings.patches.core_threshold = 0.5;
     harness
         .state_mut()
         .push(Command::Wall(WallCommand::SetThickening(settings)));
