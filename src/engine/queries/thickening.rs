@@ -11,7 +11,7 @@ use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segm
 use crate::analysis::thickening::{Thickening, ThickeningParams, phases, thickening};
 use crate::analysis::verdicts::{NotAssessed, VerdictInput, VerdictParams, examine, wall_in_doubt};
 use crate::engine::queries::measures::MeasuresQuery;
-use crate::engine::queries::medial_beat::{MedialSurfacesQuery, beat_bytes, medial_words};
+use crate::engine::queries::medial_surfaces::{MedialSurfacesQuery, beat_bytes, medial_words};
 use crate::engine::queries::subject::{NoSubject, subject_of};
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query, Urgency};
 use crate::mesh::Point3;

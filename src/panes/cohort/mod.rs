@@ -17,7 +17,7 @@ use egui::{
 use crate::document::CohortColumn;
 use crate::panes::buttons::command_button_ui;
 use crate::panes::cohort::rows::{CohortRow, CohortVerdict};
-use crate::panes::commands::{BeatCommand, Command, FileCommand, ViewCommand};
+use crate::panes::commands::{Command, FileCommand, SelectCommand, ViewCommand};
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
@@ -204,7 +204,7 @@ fn row_ui(
     }
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
-        commands.push(BeatCommand::SelectSubject(index).into());
+        commands.push(SelectCommand::SelectSubject(index).into());
     }
     if dragged_from_within(ui, &response) {
         response.dnd_set_drag_payload(DraggedSubject {

@@ -8,7 +8,7 @@ use super::view::play;
 use super::*;
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::{BeatCommand, Command, MapCommand, WorkCommand};
+use crate::panes::commands::{Command, MapCommand, SelectCommand, WorkCommand};
 use crate::panes::work_state::WorkState;
 use crate::study::LabelRole;
 
@@ -126,7 +126,7 @@ fn click(harness: &mut Shown, at: Pos2) {
 }
 
 fn played(subject: usize, frame: usize) -> Command {
-    Command::Beat(BeatCommand::SelectPose {
+    Command::Select(SelectCommand::SelectPose {
         subject,
         frame,
         play: true,

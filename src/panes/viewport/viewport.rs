@@ -7,7 +7,7 @@ use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
 use crate::document::ViewMode;
 use crate::panes::{
-    BeatCommand, Command, EditCommand, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
+    Command, EditCommand, SelectCommand, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
     subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
@@ -227,7 +227,7 @@ impl Viewport {
             .filter(|_| response.clicked())?;
         let tile = tiles.iter().find(|tile| tile.rect.contains(at))?;
         // The subject on screen may still be the one before.
-        (self.mode == ViewMode::AllFrames).then_some(Command::Beat(BeatCommand::SelectPose {
+        (self.mode == ViewMode::AllFrames).then_some(Command::Select(SelectCommand::SelectPose {
             subject: tile.shown.index,
             frame: tile.shown.position as usize,
             play: false,

@@ -1,7 +1,7 @@
 //! Deformation maps, the spatiotemporal plot, and their settings: from a click to what every view shows.
 
 use super::*;
-use cardiomorph::panes::{BeatCommand, EditCommand, MapCommand, WindowCommand, WorkCommand};
+use cardiomorph::panes::{EditCommand, MapCommand, PlaybackCommand, WindowCommand, WorkCommand};
 
 use cardiomorph::analysis::deformations::Comparison;
 use cardiomorph::analysis::embedding::MapMethod;
@@ -67,7 +67,7 @@ fn a_click_on_a_deformation_plays_that_heart() {
     wait(&mut harness, "that heart", |app| {
         app.hearts_on_screen().first().map(|heart| heart.0) == Some(wanted)
     });
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn a_click_on_a_curve_through_time_plays_that_heart() {
     harness.step();
     assert_eq!(subject(&harness), lonely);
     assert!(harness.state().state().play.playing);
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::*;
 use cardiomorph::engine::{ClassesQuery, DeformationMapQuery};
 use cardiomorph::panes::{
-    BeatCommand, EditCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
+    EditCommand, SelectCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
 };
 
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
@@ -33,7 +33,10 @@ fn judged_window() -> Harness<'static, App> {
 }
 
 fn select(harness: &mut Harness<'_, App>, subject: usize) {
-    give(harness, Command::Beat(BeatCommand::SelectSubject(subject)));
+    give(
+        harness,
+        Command::Select(SelectCommand::SelectSubject(subject)),
+    );
     wait(harness, "the wall", |app| {
         matches!(app.state().wall_of(subject), Some((Ok(_), true)))
             && app.hearts_on_screen()[0].0 == subject
@@ -338,7 +341,10 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
             >= 1
     );
     // The other subject is classified by default thresholds.
-    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(1)));
+    give(
+        &mut harness,
+        Command::Select(SelectCommand::SelectSubject(1)),
+    );
     harness.run_steps(2);
     harness.get_by_label_contains("Uncalibrated score: ");
     harness

@@ -6,7 +6,7 @@ use crate::app::apply::apply;
 use crate::document::testing::{state_of, subject_with_frames};
 use crate::document::{TypedField, ViewMode};
 use crate::mesh::{Point3, phantom};
-use crate::panes::{BeatCommand, Command, FileCommand, ViewCommand};
+use crate::panes::{Command, FileCommand, PlaybackCommand, SelectCommand, ViewCommand};
 use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
@@ -36,7 +36,7 @@ impl Edited {
     }
 
     fn select(&mut self, subject: usize) {
-        self.give(BeatCommand::SelectSubject(subject));
+        self.give(SelectCommand::SelectSubject(subject));
     }
 
     fn ids(&self) -> Vec<String> {
@@ -60,7 +60,7 @@ impl Edited {
 fn whatever_names_a_subject_follows_it_when_another_one_is_excluded() {
     let mut edited = Edited::new();
     edited.select(2);
-    edited.give(BeatCommand::CompareWith(Some(3)));
+    edited.give(SelectCommand::CompareWith(Some(3)));
     edited.give(ViewCommand::SetViewMode(ViewMode::SideBySide));
     edited.state.document.map.distances.transport = Some(CohortTransportParams {
         reference: Reference::Subject(1),
@@ -220,7 +220,7 @@ fn one_frame_is_not_both_phases_and_the_reason_is_said() {
     edited.give(set(Phase::EndDiastole, PhaseFrame::Shown));
     assert_eq!(edited.state.phases_of(1), (None, Some(2)));
     edited.select(1);
-    edited.give(BeatCommand::SetPosition(1.0));
+    edited.give(PlaybackCommand::SetPosition(1.0));
     edited.give(set(Phase::EndDiastole, PhaseFrame::Shown));
     assert_eq!(edited.state.phases_of(1), (Some(1), Some(2)));
     edited.give(set(Phase::EndSystole, PhaseFrame::Found));
