@@ -3,8 +3,8 @@
 /// A column of the cohort table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CohortColumn {
-    /// Shape of the label's role.
-    Role,
+    /// Shape of the label's class.
+    Class,
     /// Pseudonym.
     #[default]
     Subject,

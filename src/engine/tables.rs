@@ -351,7 +351,7 @@ fn classified(
     let classes = store.answer(study, &by(ClassesBy::Label), progress)?;
     // Several labels may count as abnormal: both questions are asked where the study says which.
     let by_role = (study.has_both_classes())
-        .then(|| store.answer(study, &by(ClassesBy::Role), progress))
+        .then(|| store.answer(study, &by(ClassesBy::Class), progress))
         .transpose()?;
     // The classification has asked for the map, so it is known by now.
     Ok(Classified {

@@ -72,7 +72,7 @@ impl ActionState<'_> {
         };
         let excluded = document.study().is_excluded(document.subject);
         match command {
-            EditCommand::SetRole(..) => subject.label.is_some(),
+            EditCommand::SetClass(..) => subject.label.is_some(),
             EditCommand::Exclude(_) | EditCommand::Include(_) | EditCommand::Delete(_)
                 if !document.study().unread.is_empty() =>
             {
@@ -139,11 +139,11 @@ pub fn is_on(state: &State, command: &Command) -> Option<bool> {
         }
         Command::Map(MapCommand::SetClassesBy(by)) => document.classes_by() == *by,
         Command::Map(MapCommand::ToggleClusters) => document.shows_clusters,
-        Command::Edit(EditCommand::SetRole(_, role)) => {
+        Command::Edit(EditCommand::SetClass(_, class)) => {
             let labelled = document
                 .selected()
                 .filter(|subject| subject.label.is_some());
-            labelled.is_some_and(|subject| document.study().role(subject) == *role)
+            labelled.is_some_and(|subject| document.study().class_of(subject) == *class)
         }
         Command::Edit(EditCommand::SetUnit(Whose::All, unit)) => {
             let mut all = document.study().all();

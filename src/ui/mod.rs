@@ -12,6 +12,6 @@ pub(crate) mod text;
 pub mod theme;
 
 pub use label_marks::LabelMark;
-pub use marks::role_name;
+pub use marks::class_name;
 pub use style::{add_faces, apply, install, medium_font};
 pub use {controls::*, text::*};

@@ -5,7 +5,7 @@ use crate::analysis::deformations::deformation_distances;
 use crate::engine::queries::deformation_map::{DeformationMapQuery, deformation_words};
 use crate::engine::queries::pose_distances::PoseDistancesQuery;
 use crate::engine::store::{Context, Interrupted, Memory, Query};
-use crate::study::LabelRole;
+use crate::study::LabelClass;
 use crate::study::checks::Copies;
 
 /// Share of the time of the classification that the deformation map takes.
@@ -18,7 +18,7 @@ pub enum ClassesBy {
     #[default]
     Label,
     /// Normal and abnormal, as the study says of its labels.
-    Role,
+    Class,
 }
 
 impl ClassesBy {
@@ -26,7 +26,7 @@ impl ClassesBy {
     pub fn name(self) -> &'static str {
         match self {
             Self::Label => "by label",
-            Self::Role => "normal and abnormal",
+            Self::Class => "normal and abnormal",
         }
     }
 }
@@ -54,7 +54,7 @@ impl Query for ClassesQuery {
         let map = deformation_words(&self.deformations);
         let by = match self.by {
             ClassesBy::Label => "",
-            ClassesBy::Role => ", normal and abnormal",
+            ClassesBy::Class => ", normal and abnormal",
         };
         format!("{map}, {permutations} permutations, seed {seed}{by}")
     }
@@ -79,11 +79,11 @@ impl Query for ClassesQuery {
         let labels: Vec<Option<&str>> = (map.subjects.iter())
             .map(|&index| {
                 let label = once.get(index).copied().flatten()?;
-                match (self.by, study.label_roles.role(Some(label))) {
+                match (self.by, study.label_classes.class_of(Some(label))) {
                     (ClassesBy::Label, _) => Some(label),
-                    (ClassesBy::Role, LabelRole::Normal) => Some("normal"),
-                    (ClassesBy::Role, LabelRole::Abnormal) => Some("abnormal"),
-                    (ClassesBy::Role, LabelRole::Unknown) => None,
+                    (ClassesBy::Class, LabelClass::Normal) => Some("normal"),
+                    (ClassesBy::Class, LabelClass::Abnormal) => Some("abnormal"),
+                    (ClassesBy::Class, LabelClass::Neither) => None,
                 }
             })
             .collect();

@@ -21,7 +21,7 @@ use crate::panes::commands::{Command, FileCommand, SelectCommand, ViewCommand};
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
-use crate::ui::marks::role_name;
+use crate::ui::marks::class_name;
 use crate::ui::style::{note, text_font};
 use crate::ui::text::{counted, text_width};
 use crate::ui::theme::{colours, line, space};
@@ -256,7 +256,7 @@ fn menu_button_ui(ui: &mut Ui, row: Rect, response: &Response, subject: &str) ->
 fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
     ui.label(RichText::new(&row.id).strong());
     let label = row.label.as_deref().unwrap_or("none");
-    ui.label(format!("Label {label}, class {}", role_name(row.role)));
+    ui.label(format!("Label {label}, class {}", class_name(row.class)));
     ui.label(match row.ejection_fraction_in_words() {
         Some(words) => words,
         None => "Ejection fraction unknown".to_owned(),

@@ -7,7 +7,7 @@ use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{
     Command, EditCommand, Phase, PhaseFrame, SelectCommand, TransportCommand, Whose,
 };
-use crate::study::{CoordinateUnit, LabelRole, Landmark, Study, Subject};
+use crate::study::{CoordinateUnit, LabelClass, Landmark, Study, Subject};
 use crate::ui::controls::choice_ui;
 use crate::ui::style::medium;
 
@@ -104,14 +104,14 @@ fn labels_ui(
     }
     if let Some(label) = &subject.label {
         ui.menu_button(format!("Class of the label {label}"), |ui| {
-            let now = study.role(subject);
-            for (role, name) in [
-                (LabelRole::Normal, "Normal"),
-                (LabelRole::Abnormal, "Abnormal"),
-                (LabelRole::Unknown, "None"),
+            let now = study.class_of(subject);
+            for (class, name) in [
+                (LabelClass::Normal, "Normal"),
+                (LabelClass::Abnormal, "Abnormal"),
+                (LabelClass::Neither, "None"),
             ] {
-                if choice_ui(ui, name, role == now) {
-                    commands.push(EditCommand::SetRole(Whose::Subject(index), role).into());
+                if choice_ui(ui, name, class == now) {
+                    commands.push(EditCommand::SetClass(Whose::Subject(index), class).into());
                 }
             }
         });

@@ -166,7 +166,7 @@ fn by_ui(ui: &mut Ui, head: Rect, by: ClassesBy, commands: &mut Vec<Command>) ->
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     let place = head.with_max_x((head.left() + NAME).min(head.right()));
     let mut child = ui.new_child(UiBuilder::new().max_rect(place).layout(layout));
-    let choices = [ClassesBy::Label, ClassesBy::Role].map(|by| (by, by.name()));
+    let choices = [ClassesBy::Label, ClassesBy::Class].map(|by| (by, by.name()));
     let response = chooser_ui(&mut child, "Classes", by.name(), |ui| {
         let chosen = choices_ui(ui, choices, by);
         commands.extend(chosen.map(|by| Command::from(MapCommand::SetClassesBy(by))));

@@ -104,7 +104,7 @@ fn subjects_are_told_apart_by_label_or_by_class_whatever_came_of_the_classificat
         harness.run();
         harness.get_by_label("normal and abnormal").click();
         harness.run();
-        let chosen = Command::Map(MapCommand::SetClassesBy(ClassesBy::Role));
+        let chosen = Command::Map(MapCommand::SetClassesBy(ClassesBy::Class));
         assert_eq!(*harness.state(), [chosen]);
     }
 }

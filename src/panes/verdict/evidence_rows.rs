@@ -2,7 +2,7 @@
 
 use crate::analysis::verdicts::{Feature, FeatureUnit, Features, Verdicts};
 use crate::panes::EvidenceRow;
-use crate::study::{LabelRole, Study};
+use crate::study::{LabelClass, Study};
 
 /// What is shown below the features of the model: those of the method (4.4–4.7) and what the patch table knows.
 const FURTHER: [Feature; 7] = [
@@ -17,15 +17,17 @@ const FURTHER: [Feature; 7] = [
 
 /// The rows of one subject, beside the subjects of the study that are assessed.
 pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<EvidenceRow> {
-    let assessed: Vec<(LabelRole, &Features)> = (study.subjects.iter().zip(&verdicts.subjects))
-        .filter_map(|(subject, told)| Some((study.role(subject), &told.as_ref().ok()?.features)))
+    let assessed: Vec<(LabelClass, &Features)> = (study.subjects.iter().zip(&verdicts.subjects))
+        .filter_map(|(subject, told)| {
+            Some((study.class_of(subject), &told.as_ref().ok()?.features))
+        })
         .collect();
     (Feature::MODEL_FEATURES.into_iter().chain(FURTHER))
         .map(|feature| {
             let all = assessed.iter().map(|(_, features)| features.get(feature));
             let whole = range(all);
             let normal = (assessed.iter())
-                .filter(|(role, _)| *role == LabelRole::Normal)
+                .filter(|(class, _)| *class == LabelClass::Normal)
                 .map(|(_, features)| features.get(feature));
             let normal = range(normal);
             let value = own.get(feature);

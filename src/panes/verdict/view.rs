@@ -11,7 +11,7 @@ use crate::panes::verdict::evidence_rows::{evidence, written};
 use crate::panes::verdict_marks::VerdictMark;
 use crate::panes::work_state::WorkState;
 use crate::picture::percent;
-use crate::study::LabelRole;
+use crate::study::LabelClass;
 use crate::ui::text::p_text;
 
 use super::values::*;
@@ -73,7 +73,8 @@ fn report(state: &State) -> Option<VerdictReport> {
 
 fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictReport {
     let study = state.document.study();
-    let role = (state.document.selected()).map_or(LabelRole::Unknown, |shown| study.role(shown));
+    let class =
+        (state.document.selected()).map_or(LabelClass::Neither, |shown| study.class_of(shown));
     let calibrated = verdicts.classifier.is_calibrated();
     VerdictReport {
         mark: mark(verdict.finding),
@@ -85,12 +86,12 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
         reasons: reasons(verdict),
         probability: Some(verdict.probability),
         calibrated,
-        source: match (verdicts.classifier, role) {
+        source: match (verdicts.classifier, class) {
             (ClassifierSource::Uncalibrated { .. }, _) => {
                 "Default thresholds: too few labelled subjects"
             }
             (ClassifierSource::Rule { .. }, _) => "Classifier of another study, from a file",
-            (ClassifierSource::Cohort { .. }, LabelRole::Unknown) => {
+            (ClassifierSource::Cohort { .. }, LabelClass::Neither) => {
                 "Classifier trained on the labelled subjects; this subject has no class"
             }
             (ClassifierSource::Cohort { .. }, _) => {

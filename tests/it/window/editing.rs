@@ -4,7 +4,7 @@ use super::*;
 use cardiomorph::document::{TypedField, Typing};
 use cardiomorph::engine::MeasuresQuery;
 use cardiomorph::panes::{EditCommand, FileCommand, ViewCommand, WindowCommand};
-use cardiomorph::study::{CoordinateUnit, LabelRole, Landmark, Study, Subject};
+use cardiomorph::study::{CoordinateUnit, LabelClass, Landmark, Study, Subject};
 use egui::{Key, Modifiers};
 
 pub fn study<'a>(harness: &'a Harness<'_, App>) -> &'a Study {
@@ -152,17 +152,17 @@ fn all_subjects_that_the_filter_shows_get_a_label_in_one_step() {
 fn the_class_of_a_label_is_chosen_in_the_menu_of_a_row() {
     let mut harness = cohort_window();
     let label = subject(&harness, "P01").label.clone().unwrap();
-    let role = |harness: &Harness<'_, App>| study(harness).role(subject(harness, "P01"));
-    let before = role(&harness);
-    assert_eq!(before, LabelRole::Abnormal);
+    let class = |harness: &Harness<'_, App>| study(harness).class_of(subject(harness, "P01"));
+    let before = class(&harness);
+    assert_eq!(before, LabelClass::Abnormal);
     choose(
         &mut harness,
         "P01",
         &[&format!("Class of the label {label}"), "Normal"],
     );
-    assert_eq!(role(&harness), LabelRole::Normal);
+    assert_eq!(class(&harness), LabelClass::Normal);
     undo(&mut harness);
-    assert_eq!(role(&harness), before);
+    assert_eq!(class(&harness), before);
 }
 
 #[test]

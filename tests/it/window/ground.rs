@@ -238,7 +238,7 @@ fn classes_are_told_apart_by_label_or_by_what_the_study_calls_normal() {
     let by_label = harness.state().state().classes().unwrap().clone();
     assert_eq!(by_label.names.len(), 3, "{text}");
     harness.get_by_label("Classes: by label");
-    let chosen = MapCommand::SetClassesBy(ClassesBy::Role);
+    let chosen = MapCommand::SetClassesBy(ClassesBy::Class);
     give(&mut harness, Command::Map(chosen));
     wait(&mut harness, "normal and abnormal", |app| {
         app.state()

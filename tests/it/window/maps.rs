@@ -57,8 +57,8 @@ fn a_click_on_a_deformation_plays_that_heart() {
     let wanted = map.subjects[row];
     let state = harness.state().state();
     let heart = state.document.study().subjects[wanted].clone();
-    let role = cardiomorph::ui::role_name(state.document.study().role(&heart));
-    let name = format!("Deformation of {}, {role}", heart.id);
+    let class = cardiomorph::ui::class_name(state.document.study().class_of(&heart));
+    let name = format!("Deformation of {}, {class}", heart.id);
     harness.get_by_label(&name).click();
     harness.step();
     harness.step();
@@ -79,8 +79,8 @@ fn a_click_on_a_curve_through_time_plays_that_heart() {
     let study = harness.state().state().document.study().clone();
     let middle = |index: usize| {
         let heart = &study.subjects[index];
-        let role = cardiomorph::ui::role_name(study.role(heart));
-        let name = format!("Curve of {}, {role}", heart.id);
+        let class = cardiomorph::ui::class_name(study.class_of(heart));
+        let name = format!("Curve of {}, {class}", heart.id);
         harness.get_by_label(&name).rect().center()
     };
     let apart = |index: usize| {

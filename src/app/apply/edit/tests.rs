@@ -195,9 +195,12 @@ fn labels_of_many_subjects_are_one_step_of_undo_and_the_same_again_is_none() {
     };
     edited.give(label.clone());
     edited.give(label);
-    edited.give(EditCommand::SetRole(Whose::Subject(2), LabelRole::Abnormal));
+    edited.give(EditCommand::SetClass(
+        Whose::Subject(2),
+        LabelClass::Abnormal,
+    ));
     let study = edited.state.document.study();
-    assert_eq!(study.role(&study.subjects[0]), LabelRole::Abnormal);
+    assert_eq!(study.class_of(&study.subjects[0]), LabelClass::Abnormal);
     edited.give(EditCommand::Undo);
     edited.give(EditCommand::Undo);
     assert!(!edited.state.history.can_undo());
