@@ -9,7 +9,7 @@ use super::table::{Row, TableWords, records};
 use crate::analysis::deformations::{DeformationMap, PartDistances};
 use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::MedialMap;
-use crate::analysis::metrics::{Corners, Form, Regulariser};
+use crate::analysis::metrics::{Corners, Regulariser};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
 use crate::analysis::transport::Reference;
 use crate::study::Study;
@@ -86,12 +86,7 @@ pub fn distances_json(
         "rows": "poses_mds.csv",
         "in_words": words,
         "metric": metric.kind.words().id,
-        "form": match metric.form {
-            Form::Printed => "printed",
-            Form::Bilinear => "bilinear",
-            Form::Frozen => "frozen",
-            Form::Additive => "additive",
-        },
+        "form": metric.form.id(),
         "corners": match metric.corners {
             Corners::Raw => "raw",
             Corners::ScaleFree => "scale-free",

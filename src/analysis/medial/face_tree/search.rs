@@ -3,8 +3,8 @@
 use super::faces::{FacesOfPose, Facing, Nearest};
 use super::node::{Node, Search};
 use super::plan::TreePlan;
-use super::triangle::nearest_on_triangle;
 use super::scaled_coordinates::{ScaledCoordinates, above};
+use super::triangle::nearest_on_triangle;
 use crate::mesh::{Point3, Vector3};
 
 /// A tree of so many levels, four times as many nodes on each, holds more faces than there are numbers.
