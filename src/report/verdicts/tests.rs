@@ -77,6 +77,16 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         let told = features.get(feature).unwrap();
         assert_eq!(row[place].parse::<f64>().unwrap(), told, "{name}");
     }
+    let place = columns
+        .iter()
+        .position(|name| name == "ejection_fraction")
+        .unwrap();
+    let measured = measure_subject(ill);
+    assert_eq!(
+        row[place].parse::<f64>().unwrap(),
+        measured.ef.unwrap(),
+        "as in subjects.csv"
+    );
     // Confidence and compactness of a round patch are both 1; all others differ.
     let told: std::collections::HashSet<&str> = row.iter().skip(12).take(names.len()).collect();
     assert!(told.len() + 1 >= names.len(), "{row:?}");
