@@ -261,17 +261,11 @@ fn a_click_on_the_map_is_followed_by_table_picture_and_time_bar() {
 #[test]
 fn a_point_is_shown_within_one_frame_when_its_heart_is_ready() {
     let mut harness = mapped_window();
-    give(
-        &mut harness,
-        Command::Select(SelectCommand::SelectSubject(4)),
-    );
+    give(&mut harness, SelectCommand::SelectSubject(4).into());
     wait(&mut harness, "the fifth heart", |app| {
         app.hearts_on_screen()[0].0 == 4
     });
-    give(
-        &mut harness,
-        Command::Select(SelectCommand::SelectSubject(0)),
-    );
+    give(&mut harness, SelectCommand::SelectSubject(0).into());
     harness
         .state_mut()
         .push(Command::Select(SelectCommand::SelectPose {
