@@ -10,6 +10,7 @@ use crate::analysis::pose_distances::{
 };
 use crate::analysis::transport::{CohortTransportParams, TransportedCohort, transport_cohort};
 use crate::mesh::Point3;
+use crate::numeric::median;
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Study, Subject, SurfaceSequence};
 
@@ -120,7 +121,8 @@ impl PartDistances {
         left_out: Vec<LeftOut>,
     ) -> Self {
         Self {
-            medians: [&deformation, &shape].map(|matrix| median(matrix.upper())),
+            medians: [&deformation, &shape]
+                .map(|matrix| median(matrix.upper().to_vec()).unwrap_or(0.0)),
             subjects,
             deformation,
             shape,
@@ -148,8 +150,7 @@ impl PartDistances {
     /// Median of [`Self::shape_share`] over all pairs that differ; `None` where none do.
     pub fn median_shape_share(&self) -> Option<f64> {
         let pairs = (0..self.subjects.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-        let shares: Vec<f64> = pairs.filter_map(|(i, j)| self.shape_share(i, j)).collect();
-        (!shares.is_empty()).then(|| median(&shares))
+        median(pairs.filter_map(|(i, j)| self.shape_share(i, j)).collect())
     }
 
     fn weighted_squares(&self, weights: PartWeights, i: usize, j: usize) -> [f64; 2] {
@@ -254,14 +255,4 @@ fn end_diastoles(study: &Study) -> Study {
 fn share([deformation, shape]: [f64; 2]) -> Option<f64> {
     let both = deformation + shape;
     (both > 0.0).then(|| shape / both)
-}
-
-/// Of numbers in any order; 0 of none.
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    match sorted.len() {
-        0 => 0.0,
-        count => 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]),
-    }
 }
