@@ -157,9 +157,14 @@ impl Subject {
     ///
     /// Not that of the volumes, which measures find: a subject without a cavity begins somewhere, too.
     pub fn start_frame(&self) -> usize {
-        (self.end_diastole)
-            .filter(|&frame| frame < self.sequence.frame_count())
-            .unwrap_or(0)
+        self.stated_phases().0.unwrap_or(0)
+    }
+
+    /// The frames of end-diastole and end-systole that were stated; one beyond the last frame is none.
+    pub fn stated_phases(&self) -> (Option<usize>, Option<usize>) {
+        let frames = self.sequence.frame_count();
+        let there = |stated: Option<usize>| stated.filter(|&frame| frame < frames);
+        (there(self.end_diastole), there(self.end_systole))
     }
 
     /// What its shapes are known by.

@@ -1,9 +1,8 @@
 //! The paths of one subject: one per patch, or that of all that is akinetic.
 
-use crate::analysis::medial::MedialBeat;
+use crate::analysis::medial::{MedialBeat, MedialSurface};
 use crate::analysis::segments::LongAxis;
 use crate::analysis::thickening::Thickening;
-use crate::mesh::Point3;
 
 use super::placement::{Frame, Placement};
 use super::result::{AkineticPart, AkineticPath, NotMapped, PathStep, SubjectPaths};
@@ -56,8 +55,8 @@ pub fn subject_paths(
             steps: found.steps.len(),
         });
     }
-    let centres: Vec<Point3> = (beat.frames.get(found.end_diastole))
-        .map(|rest| rest.atoms.iter().map(|atom| atom.position).collect())
+    let centres = (beat.frames.get(found.end_diastole))
+        .map(MedialSurface::positions)
         .unwrap_or_default();
     // In all frames: which one all subjects share is known only when all are there.
     let placements = Frame::ALL.map(|frame| Placement::new(frame, axis, &centres));

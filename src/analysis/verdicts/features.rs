@@ -29,7 +29,7 @@ impl Features {
     /// Of one subject. Features of poses are `None` where no pose has a descriptor.
     pub(super) fn new(heart: &VerdictInput<'_>) -> Self {
         let VerdictInput { beat, thickening } = *heart;
-        let rest = positions(beat, thickening.end_diastole);
+        let rest = beat.frames[thickening.end_diastole].positions();
         let areas = regular_areas(beat, &rest);
         // Near a cut a ratio of thicknesses is not one of the same tissue, and still wall there means nothing.
         let away: Vec<f64> = (areas.iter().zip(&thickening.at_edge))
@@ -131,19 +131,13 @@ impl Features {
 /// Volume of the wall at end-systole over that at end-diastole: Σ area · 2 r over regular atoms.
 pub(super) fn wall_volume_ratio(beat: &MedialBeat, thickening: &Thickening) -> f64 {
     let volume = |pose: usize| -> f64 {
-        let areas = regular_areas(beat, &positions(beat, pose));
+        let areas = regular_areas(beat, &beat.frames[pose].positions());
         (areas.iter().zip(&beat.frames[pose].atoms))
             .map(|(area, atom)| 2.0 * area * atom.radius)
             .sum()
     };
     // Relative to end-diastole: the size of the subject cancels.
     volume(thickening.end_systole) / volume(thickening.end_diastole)
-}
-
-fn positions(beat: &MedialBeat, pose: usize) -> Vec<Point3> {
-    (beat.frames[pose].atoms.iter())
-        .map(|atom| atom.position)
-        .collect()
 }
 
 /// A third of the area of the faces around each atom, of those whose atoms are all regular.

@@ -14,7 +14,6 @@ use crate::engine::queries::measures::MeasuresQuery;
 use crate::engine::queries::medial_surfaces::{MedialSurfacesQuery, beat_bytes, medial_words};
 use crate::engine::queries::subject::{NoSubject, subject_of};
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query, Urgency};
-use crate::mesh::Point3;
 use crate::study::Study;
 
 /// Share of the time of a subject's thickening that its atoms take.
@@ -108,9 +107,7 @@ impl Query for WallThickeningQuery {
             Err(error) => (None, Some(error.to_string())),
         };
         let assessed = thickening(&beat, &measures, axis.as_ref(), &params, part.progress())?;
-        let centres: Vec<Point3> = (beat.frames[end_diastole].atoms.iter())
-            .map(|atom| atom.position)
-            .collect();
+        let centres = beat.frames[end_diastole].positions();
         let verdicts = VerdictParams::default().check()?;
         let input = VerdictInput {
             beat: &beat,
