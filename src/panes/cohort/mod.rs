@@ -18,7 +18,9 @@ use crate::document::CohortColumn;
 use crate::panes::buttons::command_button_ui;
 use crate::panes::cohort::rows::{CohortRow, CohortVerdict};
 use crate::panes::commands::{Command, FileCommand, SelectCommand, ViewCommand};
-use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
+use crate::panes::subject_drag::{
+    DraggedSubject, SubjectTarget, dragged_subject, subject_target_ui,
+};
 use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
 use crate::ui::marks::class_name;
@@ -217,7 +219,8 @@ fn row_ui(
         rect,
         subject: index,
         id: &row.id,
-        correspondence: row.correspondence,
+        corresponds: dragged_subject(ui)
+            .is_some_and(|dragged| dragged.correspondence == row.correspondence),
     };
     subject_target_ui(ui, &response, &target, commands);
     let typing = (view.edits.typing).filter(|typing| typing.subject == index);

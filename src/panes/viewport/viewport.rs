@@ -341,13 +341,11 @@ fn targets_ui(
         let Some(subject) = state.subject(tile.shown.index) else {
             continue;
         };
-        let fits = subject.sequence.correspondence() == source.sequence.correspondence();
         let target = SubjectTarget {
             rect: tile.rect,
             subject: tile.shown.index,
             id: &subject.id,
-            // Any other number says that they do not correspond.
-            correspondence: dragged.correspondence + usize::from(!fits),
+            corresponds: subject.sequence.correspondence() == source.sequence.correspondence(),
         };
         subject_target_ui(ui, response, &target, commands);
     }
