@@ -104,8 +104,8 @@ mod tests {
     #[test]
     fn ids_that_differ_in_case_or_blanks_are_told() {
         let plans = unique(&["p1", "P1", "p 1", "p2"]);
-        let told: Vec<usize> = plans.iter().map(|plan| plan.notices.len()).collect();
-        assert_eq!(told, [0, 1, 1, 0]);
+        let counts: Vec<usize> = plans.iter().map(|plan| plan.notices.len()).collect();
+        assert_eq!(counts, [0, 1, 1, 0]);
     }
 
     #[test]

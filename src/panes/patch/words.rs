@@ -16,7 +16,7 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
     }
     let verdict = state
         .verdict_of(subject)
-        .and_then(|told| told.as_ref().ok());
+        .and_then(|verdict| verdict.as_ref().ok());
     let why = match (state.patch_standing(subject), verdict.map(|v| v.finding)) {
         (PatchStanding::AbnormalPatch, _) => return String::new(),
         (PatchStanding::NoVerdict, _) => "There is no verdict yet",

@@ -18,8 +18,8 @@ const FURTHER: [Feature; 7] = [
 /// The rows of one subject, beside the subjects of the study that are assessed.
 pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<EvidenceRow> {
     let assessed: Vec<(LabelClass, &Features)> = (study.subjects.iter().zip(&verdicts.subjects))
-        .filter_map(|(subject, told)| {
-            Some((study.class_of(subject), &told.as_ref().ok()?.features))
+        .filter_map(|(subject, verdict)| {
+            Some((study.class_of(subject), &verdict.as_ref().ok()?.features))
         })
         .collect();
     (Feature::MODEL_FEATURES.into_iter().chain(FURTHER))

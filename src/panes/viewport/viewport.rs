@@ -258,7 +258,7 @@ impl Viewport {
             let settings = tile.shown.settings(settings);
             let mut picture = scene_with_extras(prepared, tile.shown.extras(), &settings, pose);
             let scene = std::mem::take(&mut picture.scene);
-            let same = |(_, told): &(usize, SubjectScene)| told.legend == picture.legend;
+            let same = |(_, other): &(usize, SubjectScene)| other.legend == picture.legend;
             if picture.legend.is_some() && !legends.iter().any(same) {
                 legends.push((place, picture));
             }

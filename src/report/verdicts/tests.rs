@@ -74,8 +74,8 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
     assert_eq!(&columns[12 + names.len()], "outside_range");
     for (place, (feature, name)) in (12_usize..).zip(names) {
         assert_eq!(&columns[place], name);
-        let told = features.get(feature).unwrap();
-        assert_eq!(row[place].parse::<f64>().unwrap(), told, "{name}");
+        let value = features.get(feature).unwrap();
+        assert_eq!(row[place].parse::<f64>().unwrap(), value, "{name}");
     }
     let place = columns
         .iter()
@@ -88,8 +88,8 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         "as in subjects.csv"
     );
     // Confidence and compactness of a round patch are both 1; all others differ.
-    let told: std::collections::HashSet<&str> = row.iter().skip(12).take(names.len()).collect();
-    assert!(told.len() + 1 >= names.len(), "{row:?}");
+    let distinct: std::collections::HashSet<&str> = row.iter().skip(12).take(names.len()).collect();
+    assert!(distinct.len() + 1 >= names.len(), "{row:?}");
 }
 
 #[test]

@@ -132,10 +132,10 @@ fn added_subjects_come_last_under_ids_of_their_own() {
         both.label_classes.class_of(Some("dcm")),
         LabelClass::Abnormal
     );
-    let told = &both.subjects[1].notices[0].text;
+    let note = &both.subjects[1].notices[0].text;
     assert!(
-        told.contains("\"a\"") && told.contains("\"a (2)\""),
-        "{told}"
+        note.contains("\"a\"") && note.contains("\"a (2)\""),
+        "{note}"
     );
 }
 

@@ -251,8 +251,8 @@ fn centimetres_are_shown_in_millimetres_and_can_be_corrected() {
         let subject = edited.state.subject(index).unwrap();
         assert_eq!(subject.unit, LengthUnit::Millimetre);
         assert_eq!(subject.coordinate_unit(), CoordinateUnit::Centimetre);
-        let told = subject.notices.last().unwrap();
-        assert_eq!(told.text, "unit set by the user: centimetres");
+        let notice = subject.notices.last().unwrap();
+        assert_eq!(notice.text, "unit set by the user: centimetres");
         let about_units = subject
             .notices
             .iter()
