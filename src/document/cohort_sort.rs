@@ -12,7 +12,7 @@ pub enum CohortColumn {
     Label,
     /// Ejection fraction.
     EjectionFraction,
-    /// Verdict; sorted by the probability of being abnormal.
+    /// Verdict; sorted by the predicted probability of abnormal.
     Verdict,
 }
 

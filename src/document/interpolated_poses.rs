@@ -53,7 +53,7 @@ impl InterpolatedMotion {
         (0..self.paths.len()).all(|interval| self.path(interval).is_some())
     }
 
-    /// Positions in the cycle of all poses between frames, ascending.
+    /// Positions in the cycle of all interpolated poses, ascending.
     pub fn positions(&self) -> Vec<f64> {
         let of_interval = |interval: usize| {
             let count = self.path(interval).map_or(0, |path| inner(path).len());

@@ -101,7 +101,7 @@ pub struct AnalysisTables {
     pub poses: Arc<PoseMap>,
     /// The deformation map.
     pub deformations: Option<Arc<DeformationMap>>,
-    /// How well the labels are told apart by it.
+    /// How well the labels are classified on it.
     pub classes: Option<Arc<Classes>>,
     /// The subjects whose wall could not be assessed, and why.
     pub unassessed: Vec<Unassessed>,

@@ -159,7 +159,7 @@ impl Row for PoseRow {
     ];
 }
 
-/// Place of one subject's deformation over the beat on the deformation map.
+/// Place of one subject's whole deformation on the deformation map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DeformationRow {
     /// Pseudonym.

@@ -24,7 +24,7 @@ pub enum EditError {
     /// An id names a subject.
     #[error("an id cannot be empty")]
     EmptyId,
-    /// Two subjects of one id could not be told apart.
+    /// Two subjects of one id could not be distinguished.
     #[error("another subject has the id {id}")]
     TakenId {
         /// The id.

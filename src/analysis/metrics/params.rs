@@ -69,7 +69,7 @@ impl CurvatureRole {
 pub enum Corners {
     /// As printed: grows with the fourth power of size.
     Raw,
-    /// Divided by |pq|²|pr|²: size does not matter.
+    /// Divided by |pq|²|pr|²: scale-invariant.
     #[default]
     ScaleFree,
 }

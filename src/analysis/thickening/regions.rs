@@ -9,7 +9,7 @@ use super::surface::Surface;
 /// three fifths of the wall it is the median of what is left.
 pub(super) const REMOTE_QUANTILE: f64 = 0.8;
 
-/// Value below which a share of the area lies; 0 without area.
+/// Value below which a share of the area lies; 0 of no area.
 pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
     let mut order: Vec<usize> = (0..values.len()).filter(|&i| areas[i] > 0.0).collect();
     order.sort_unstable_by(|&i, &j| values[i].total_cmp(&values[j]).then(i.cmp(&j)));

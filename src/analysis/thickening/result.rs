@@ -102,7 +102,7 @@ pub enum WallThickening {
     HardlyAnywhere,
 }
 
-/// The smallest patch that would have been found for sure.
+/// The smallest patch that is detected in 39 of 40 subjects like this one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallestPatch {
     /// Share of the regular medial surface, 0..=1.
@@ -150,7 +150,7 @@ pub struct Thickening {
     pub regular_area: f64,
     /// Largest side of the box of the medial surface at end-diastole: the subject's size.
     pub size: f64,
-    /// The smallest round patch without any thickening that would have been found in 39 of 40 subjects like this one, given
+    /// The smallest round patch without any thickening that is detected in 39 of 40 subjects like this one, given
     /// the noise of its thickening, the area that it is averaged over and its atoms; smaller ones may be there unseen. `None` where noise hides
     /// even a patch of three fifths, or hardly anything thickens.
     pub smallest: Option<SmallestPatch>,

@@ -11,7 +11,7 @@ use crate::study::checks::Copies;
 /// Share of the time of the classification that the deformation map takes.
 const DEFORMATION_MAP_SHARE: f32 = 0.8;
 
-/// What the classes are that subjects are told apart by.
+/// What the classes are that subjects are classified by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClassesBy {
     /// The labels of the study.
@@ -38,7 +38,7 @@ pub struct ClassesQuery {
     pub deformations: DeformationMapQuery,
     /// How classifiers are trained and tested.
     pub classes: ClassesParams,
-    /// What is told apart.
+    /// What is classified.
     pub by: ClassesBy,
 }
 

@@ -51,7 +51,7 @@ pub(super) fn make_ids_unique(plans: &mut [SubjectPlan]) {
     nearly_equal_ids(plans);
 }
 
-/// Ids that a reader cannot tell apart: they differ only in letter case or blanks.
+/// Ids that a reader cannot distinguish: they differ only in letter case or blanks.
 fn nearly_equal_ids(plans: &mut [SubjectPlan]) {
     let plain = |id: &str| id.split_whitespace().collect::<String>().to_lowercase();
     let mut first: HashMap<String, String> = HashMap::new();

@@ -21,7 +21,7 @@ pub enum MapCommand {
     SetComparison(Comparison),
     /// All settings of metric and maps as they were at the start.
     ResetMaps,
-    /// Whether subjects are told apart by their labels or by the classes of these.
+    /// Whether subjects are classified by their labels or by the classes of these.
     SetClassesBy(ClassesBy),
     /// Show the pose that the pose map implies at a place, in the coordinates of its embedding, until another command
     /// comes; `None` shows what was there before.

@@ -103,7 +103,7 @@ pub struct SavedShows {
     pub direction: bool,
 }
 
-/// Why a picture's view cannot be taken up.
+/// Why a picture's view cannot be restored.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SavedViewError {
     /// No description, or a damaged one.
