@@ -108,7 +108,7 @@ fn labels_ui(
             for (class, name) in [
                 (LabelClass::Normal, "Normal"),
                 (LabelClass::Abnormal, "Abnormal"),
-                (LabelClass::Neither, "None"),
+                (LabelClass::Neither, "Other"),
             ] {
                 if choice_ui(ui, name, class == now) {
                     commands.push(EditCommand::SetClass(Whose::Subject(index), class).into());

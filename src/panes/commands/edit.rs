@@ -101,7 +101,7 @@ pub(super) static ACTIONS: &[Row<EditCommand>] = &[
     row(Menu::Edit, 2, "Edit label…", Some((NONE, Key::L)), EditCommand::TypeInRow(TypedField::Label)),
     row(Menu::Edit, 2, "Class of the label: normal", None, EditCommand::SetClass(Whose::Selected, LabelClass::Normal)),
     row(Menu::Edit, 2, "Class of the label: abnormal", None, EditCommand::SetClass(Whose::Selected, LabelClass::Abnormal)),
-    row(Menu::Edit, 2, "Class of the label: none", None, EditCommand::SetClass(Whose::Selected, LabelClass::Neither)),
+    row(Menu::Edit, 2, "Class of the label: other", None, EditCommand::SetClass(Whose::Selected, LabelClass::Neither)),
     row(Menu::Edit, 2, "Rename subject…", None, EditCommand::TypeInRow(TypedField::Name)),
     row(Menu::Edit, 3, "End-diastole: this frame", None, EditCommand::SetPhase(Whose::Selected, Phase::EndDiastole, PhaseFrame::Shown)),
     row(Menu::Edit, 3, "End-diastole: from the volume curve", None, EditCommand::SetPhase(Whose::Selected, Phase::EndDiastole, PhaseFrame::Found)),
