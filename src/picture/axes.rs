@@ -1,6 +1,6 @@
 //! Which way a heart is turned in a picture: its axes, the six views, and the orientation cube.
 
-use crate::mesh::{Point3, Vector3, mean_point};
+use crate::mesh::{Vector3, mean_point};
 use crate::picture::openings::openings;
 use crate::study::{Subject, SurfaceKind, SurfaceSequence};
 
@@ -172,7 +172,7 @@ fn towards_wider_end(surface: &SurfaceSequence) -> Vector3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{TriMesh, phantom};
+    use crate::mesh::{Point3, TriMesh, phantom};
     use crate::study::{Anatomy, MeshSequence};
     use crate::units::LengthUnit;
 

@@ -229,7 +229,7 @@ fn the_akinetic_share_is_of_what_thickens_by_less_than_ten_percent() {
             beat: &beat,
             thickening: &thickening,
         };
-        features::Features::new(&heart).get(Feature::AkineticShare)
+        Features::new(&heart).get(Feature::AkineticShare)
     });
     assert_eq!(shares, [Some(1.0), Some(0.0)]);
     assert!((AKINETIC_PT - 1.1).abs() < 1e-15);

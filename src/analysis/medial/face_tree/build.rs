@@ -14,8 +14,12 @@ impl TreePlan {
     /// Puts cylinders and cones around the faces of a pose.
     pub fn around<'a>(&'a self, faces: FacesOfPose<'a>) -> FaceTree<'a> {
         // In units of the surface, so that 32 bits are enough.
-        let scaled = ScaledCoordinates::new(faces.points);
-        let points: Vec<Point3> = faces.points.iter().map(|&point| scaled.of(point)).collect();
+        let coordinates = ScaledCoordinates::new(faces.points);
+        let points: Vec<Point3> = faces
+            .points
+            .iter()
+            .map(|&point| coordinates.of(point))
+            .collect();
         let scaled = FacesOfPose {
             points: &points,
             ..faces
@@ -47,7 +51,7 @@ impl TreePlan {
         FaceTree {
             plan: self,
             faces,
-            scaled,
+            coordinates,
             nodes: levels.into_iter().rev().flatten().collect(),
         }
     }
