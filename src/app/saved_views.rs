@@ -21,9 +21,9 @@ use crate::document::state::State;
 use crate::document::viewpoint::{Direction, Viewpoint};
 use crate::document::visibility::Visibility;
 
-/// Settings stand before the pixels: further into a picture or drawing there is nothing to look for …
+/// Settings stand before the pixels: further into a picture or drawing there is nothing to look for.
 const MAX_HEAD_BYTES: u64 = 1 << 20;
-/// … but at the end of a page for print, which is no larger than this.
+/// Settings stand at the end of a page for print, which is no larger than this.
 const MAX_PAGE_BYTES: u64 = 256 << 20;
 
 /// What a card says where a picture gives no view.

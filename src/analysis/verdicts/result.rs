@@ -218,9 +218,9 @@ pub struct ClassifierQuality {
 /// How often the most probable kind is the label, leave-one-out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KindQuality {
-    /// Right of …
+    /// Subjects whose most probable kind is their label.
     pub correct: usize,
-    /// … so many subjects.
+    /// Subjects with a kind.
     pub of: usize,
     /// As many have the most frequent label: always saying that would be right so often.
     pub largest_kind: usize,

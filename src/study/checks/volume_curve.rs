@@ -9,11 +9,12 @@ const MIN_FRAMES: usize = 10;
 /// Steps count as jumps beyond this share of the largest volume times the steps of a cycle: peak filling is at most
 /// some five end-diastolic volumes a second, and a cycle takes about a second. A normal cycle of 25 frames has 2.6.
 const MAX_RATE: f64 = 6.0;
-/// Or beyond this share of it, the mean of early filling, …
+/// A step alone counts as a jump beyond this share of the largest volume times the steps of a cycle: the mean of early
+/// filling.
 const MIN_RATE: f64 = 3.5;
-/// … and of the largest volume, …
+/// A step alone must also be this share of the largest volume.
 const MIN_JUMP: f64 = 0.18;
-/// … where the steps before and after it are less than half as large: filling and ejection take several frames.
+/// A step is alone where it is so many times those before and after it: filling and ejection take several frames.
 const ALONE: f64 = 2.0;
 /// And a frame is apart from both neighbours where it is this many times further from them than the curve goes around it.
 const SPIKE: f64 = 3.0;
