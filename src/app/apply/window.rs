@@ -35,7 +35,13 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         FileCommand::ChooseFolderToAdd => is_open.then_some(Effect::ChooseFolderToAdd),
         FileCommand::Add(paths) if !is_open => apply_file(state, FileCommand::Open(paths)),
         FileCommand::Add(paths) => (!paths.is_empty()).then_some(Effect::Add(paths)),
-        FileCommand::ExportStudy(folder) => is_open.then_some(Effect::ExportStudy(folder)),
+        FileCommand::ExportStudy(folder) => {
+            is_open.then_some(Effect::ExportStudy { folder, then: None })
+        }
+        FileCommand::ExportAndLeave => Some(Effect::ExportStudy {
+            folder: None,
+            then: Some(state.leaving.take()?),
+        }),
         FileCommand::Leave => {
             let leaving = state.leaving.take()?;
             left(state, leaving)

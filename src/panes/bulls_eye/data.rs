@@ -19,6 +19,7 @@ pub struct BullsEyeData {
     flat: PolarMap,
     shown: PolarValues,
     patches: Vec<BullsEyePatch>,
+    subject: String,
     moment: String,
     without_axis: Option<String>,
     scale: BullsEyeScale,
@@ -66,6 +67,7 @@ impl BullsEyeData {
         }
         self.scale = scale;
         let frame = nearest_frame(document.position, found.beat.frames.len());
+        self.subject.clone_from(&subject.id);
         self.moment = state.moment_name(document.subject, frame);
         self.shown = self.flat.values(found, subject, quantity, frame);
         let selected = document.selected_patch();
@@ -89,6 +91,7 @@ impl BullsEyeData {
             state: wall_state(state),
             without_axis: self.without_axis.as_deref(),
             scale: &self.scale,
+            subject: &self.subject,
             moment: &self.moment,
             by_segment: document.bulls_eye_segments,
             flat: &self.flat,

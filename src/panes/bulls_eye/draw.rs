@@ -1,6 +1,7 @@
 //! The plot itself: colours, rings and sectors, patches, numbers, names, colour bar.
 
 use egui::epaint::Mesh;
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
 
 use crate::analysis::segments::{RING_RADII, Segment};
@@ -222,6 +223,22 @@ pub fn names(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
     };
     put(pos2(c.x - r, c.y), Align2::RIGHT_CENTER, left);
     put(pos2(c.x + r, c.y), Align2::LEFT_CENTER, right);
+}
+
+/// Whose wall it is, in the corner that the disc leaves free.
+pub fn subject(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
+    let mut words =
+        LayoutJob::simple_singleline(view.subject.to_owned(), note_font(), colours(ui).strong);
+    words.wrap = TextWrapping::truncate_at_width(corner_width(disc, area));
+    let galley = ui.painter().layout_job(words);
+    let note = if view.flat.oriented { 0.0 } else { 14.0 };
+    let at = area.left_top() + vec2(0.0, note);
+    ui.painter().galley(at, galley, colours(ui).strong);
+}
+
+/// Width of the corner beside the disc: up to the word above it.
+fn corner_width(disc: &Disc, area: Rect) -> f32 {
+    (disc.centre.x - 26.0 - area.left()).max(24.0)
 }
 
 /// The colours with numbers, title and unit.

@@ -267,3 +267,39 @@ fn a_figure_of_an_excluded_subject_is_written_and_its_view_comes_back() {
     });
     assert!(harness.state().state().errors.is_empty());
 }
+
+#[test]
+fn a_study_that_is_exported_before_another_is_opened_makes_room_for_it_once_it_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = window_saving_into(folder.path());
+    let opening = harness.state().state().document.study.opening;
+    give(&mut harness, EditCommand::Exclude(Whose::Subject(0)).into());
+    give(&mut harness, FileCommand::OpenBuiltIn.into());
+    harness.get_by_label("Export study and open…").click();
+    wait(&mut harness, "the other study", |app| {
+        app.state().document.study.opening != opening && !app.busy()
+    });
+    assert!(study(&harness).excluded.is_empty(), "made anew");
+    assert!(harness.state().state().leaving.is_none());
+    let written = std::fs::read_to_string(folder.path().join("study.toml")).unwrap();
+    assert!(written.contains("exclude"), "{written}");
+}
+
+#[test]
+fn an_export_that_fails_leaves_the_edited_study_on_screen() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("study.toml"), "name = \"another\"\n").unwrap();
+    let mut harness = window_saving_into(folder.path());
+    let opening = harness.state().state().document.study.opening;
+    give(&mut harness, EditCommand::Exclude(Whose::Subject(0)).into());
+    give(&mut harness, FileCommand::OpenBuiltIn.into());
+    harness.get_by_label("Export study and open…").click();
+    wait(&mut harness, "the refusal", |app| {
+        !app.state().errors.is_empty()
+    });
+    harness.run_steps(5);
+    assert_eq!(harness.state().state().document.study.opening, opening);
+    assert!(harness.state().state().is_edited());
+    // An export that succeeds later is no reason to leave.
+    assert!(harness.state().state().leaving.is_none());
+}
