@@ -12,11 +12,11 @@ const MAX_RATE: f64 = 6.0;
 /// A step alone counts as a jump beyond this share of the largest volume times the steps of a cycle: the mean of early
 /// filling.
 const MIN_RATE: f64 = 3.5;
-/// A step alone must also be this share of the largest volume.
+/// A step alone must also be this share of the largest volume, and so must what sets a frame apart from both neighbours.
 const MIN_JUMP: f64 = 0.18;
 /// A step is alone where it is so many times those before and after it: filling and ejection take several frames.
 const ALONE: f64 = 2.0;
-/// And a frame is apart from both neighbours where it is this many times further from them than the curve goes around it.
+/// A frame is apart from both neighbours where it is this many times further from them than the curve goes around it.
 const SPIKE: f64 = 3.0;
 /// Systole takes no more than this share of a cycle, but for the distance of two frames. At rest it is a third.
 const MAX_SYSTOLE: f64 = 0.5;
