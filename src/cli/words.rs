@@ -288,3 +288,16 @@ impl From<RegulariserWord> for Regulariser {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_forms_are_the_names_that_files_have() {
+        for word in FormWord::value_variants() {
+            let value = word.to_possible_value().unwrap();
+            assert_eq!(value.get_name(), Form::from(*word).id());
+        }
+    }
+}

@@ -167,7 +167,7 @@ impl State {
         self.latest(self.answers.deformations.as_ref())
     }
 
-    /// How well the classes of the study on screen can be told apart.
+    /// How well the classes of the study on screen are classified.
     pub fn classes(&self) -> Option<&Arc<Classes>> {
         self.latest(self.answers.classes.as_ref())
     }

@@ -7,6 +7,7 @@ mod classifier;
 mod cohort;
 mod design;
 mod error;
+mod feature;
 mod features;
 mod logistic;
 mod params;
@@ -18,14 +19,15 @@ mod similarity;
 mod tests;
 #[expect(
     clippy::module_inception,
-    reason = "the room's main function carries the room's name"
+    reason = "the folder's main function carries the folder's name"
 )]
 mod verdicts;
 mod weighted;
 mod whole_heart;
 
 pub use error::{LearnError, RuleError, VerdictError};
-pub use features::{Feature, Features, VerdictInput};
+pub use feature::{Feature, FeatureUnit};
+pub use features::{Features, VerdictInput};
 pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
 pub use result::{
     ClassifierQuality, ClassifierSource, Examined, Finding, Kind, KindQuality, NotAssessed, Reason,

@@ -10,7 +10,7 @@ use super::classifier::{Calibration, Classifier, LeftOut, Model};
 use super::cohort::{Cohort, Trained};
 use super::design::{Design, Standard};
 use super::error::{LearnError, RuleError, VerdictError};
-use super::features::Feature;
+use super::feature::Feature;
 use super::params::CheckedVerdictParams;
 use super::result::{ClassifierQuality, Examined, NotAssessed, TrainingSetDistance};
 use super::similarity::{distance_among, distance_from_mean, quantiles};
@@ -90,9 +90,9 @@ pub struct RuleFeature {
     pub range: Option<[f64; 2]>,
     /// What stands in where it is not known; null where no subject had one.
     pub median: Option<f64>,
-    /// Subtracted …
+    /// Mean over the training set, which is subtracted to standardise a value.
     pub mean: f64,
-    /// … before division by this.
+    /// Standard deviation over the training set, by which the difference from the mean is divided.
     pub deviation: f64,
     /// Mean and deviation of the flag of its absence, 0 or 1, if there is one.
     pub absence: Option<[f64; 2]>,
@@ -205,7 +205,7 @@ fn features(design: &Design, ranges: &[Option<[f64; 2]>]) -> Vec<RuleFeature> {
     (Feature::MODEL_FEATURES.into_iter().enumerate())
         .map(|(j, feature)| RuleFeature {
             name: feature.name().to_owned(),
-            unit: feature.unit().to_owned(),
+            unit: feature.unit().symbol().to_owned(),
             range: ranges[j],
             median: design.medians[j],
             mean: means[j],
@@ -248,7 +248,7 @@ impl Rule {
                 version: self.version,
             });
         }
-        let own = Feature::MODEL_FEATURES.map(|feature| (feature.name(), feature.unit()));
+        let own = Feature::MODEL_FEATURES.map(|feature| (feature.name(), feature.unit().symbol()));
         let read: Vec<_> = (self.features.iter())
             .map(|feature| (feature.name.as_str(), feature.unit.as_str()))
             .collect();

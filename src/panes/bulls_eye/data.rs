@@ -33,8 +33,8 @@ fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) 
         .map_or(0.0, |patch| patch.share);
     let what = match standing {
         PatchStanding::NoVerdict => "",
-        PatchStanding::Abnormal => " · abnormal",
-        PatchStanding::Patch | PatchStanding::LowThickening => " · low thickening",
+        PatchStanding::AbnormalPatch => " · abnormal",
+        PatchStanding::UnclassifiedPatch | PatchStanding::RegionOnly => " · low thickening",
     };
     let part = part_name(standing, index);
     format!("{part}{what} · {} of the LV", percent(share))
@@ -78,7 +78,7 @@ impl BullsEyeData {
                 shape: shape.clone(),
                 number: (index + 1).to_string(),
                 name: patch_name(found, standing, index),
-                faint: standing == PatchStanding::LowThickening,
+                faint: standing == PatchStanding::RegionOnly,
                 selected: selected == Some(index),
             })
             .collect();

@@ -3,11 +3,12 @@
 //! A command, its name, its key and its place in the menus stand in one file; menus, palette and keys read the tables.
 
 mod action;
-mod beat;
 mod edit;
 mod file;
 mod map;
 mod pane;
+mod playback;
+mod select;
 mod transport;
 mod view;
 mod wall;
@@ -16,14 +17,16 @@ mod work;
 
 use std::sync::LazyLock;
 
-pub use {action::*, beat::*, edit::*, file::*, map::*, pane::*};
-pub use {transport::*, view::*, wall::*, window::*, work::*};
+pub use {action::*, edit::*, file::*, map::*, pane::*};
+pub use {playback::*, select::*, transport::*, view::*, wall::*, window::*, work::*};
 
 /// One request of the user.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
-    /// The selected subject and the place in its cycle; applied by `app/apply/beat.rs`.
-    Beat(BeatCommand),
+    /// Which subjects are shown; applied by `app/apply/select.rs`.
+    Select(SelectCommand),
+    /// The place in the cycle, and playing; applied by `app/apply/playback.rs`.
+    Playback(PlaybackCommand),
     /// What is seen, and from where; applied by `app/apply/view.rs`.
     View(ViewCommand),
     /// Metric and maps; applied by `app/apply/map.rs`.
@@ -54,7 +57,7 @@ macro_rules! kinds {
 
 #[rustfmt::skip]
 kinds!(
-    Beat(BeatCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Transport(TransportCommand),
+    Select(SelectCommand), Playback(PlaybackCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Transport(TransportCommand),
     Edit(EditCommand), File(FileCommand), Work(WorkCommand), Window(WindowCommand)
 );
 
@@ -65,7 +68,8 @@ pub type Action = Row<Command>;
 pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
     let mut actions: Vec<Action> = wide(file::ACTIONS)
         .chain(wide(edit::ACTIONS))
-        .chain(wide(beat::ACTIONS))
+        .chain(wide(select::ACTIONS))
+        .chain(wide(playback::ACTIONS))
         .chain(wide(view::ACTIONS))
         .chain(wide(wall::ACTIONS))
         .chain(wide(transport::ACTIONS))

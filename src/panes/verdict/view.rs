@@ -11,7 +11,7 @@ use crate::panes::verdict::evidence_rows::{evidence, written};
 use crate::panes::verdict_marks::VerdictMark;
 use crate::panes::work_state::WorkState;
 use crate::picture::percent;
-use crate::study::LabelRole;
+use crate::study::LabelClass;
 use crate::ui::text::p_text;
 
 use super::values::*;
@@ -73,7 +73,8 @@ fn report(state: &State) -> Option<VerdictReport> {
 
 fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictReport {
     let study = state.document.study();
-    let role = (state.document.selected()).map_or(LabelRole::Unknown, |shown| study.role(shown));
+    let class =
+        (state.document.selected()).map_or(LabelClass::Neither, |shown| study.class_of(shown));
     let calibrated = verdicts.classifier.is_calibrated();
     VerdictReport {
         mark: mark(verdict.finding),
@@ -85,12 +86,12 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
         reasons: reasons(verdict),
         probability: Some(verdict.probability),
         calibrated,
-        source: match (verdicts.classifier, role) {
+        source: match (verdicts.classifier, class) {
             (ClassifierSource::Uncalibrated { .. }, _) => {
                 "Default thresholds: too few labelled subjects"
             }
             (ClassifierSource::Rule { .. }, _) => "Classifier of another study, from a file",
-            (ClassifierSource::Cohort { .. }, LabelRole::Unknown) => {
+            (ClassifierSource::Cohort { .. }, LabelClass::Neither) => {
                 "Classifier trained on the labelled subjects; this subject has no class"
             }
             (ClassifierSource::Cohort { .. }, _) => {
@@ -112,7 +113,7 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
 fn mark(finding: Finding) -> VerdictMark {
     match finding {
         Finding::Nothing => VerdictMark::NoAbnormality,
-        Finding::Patch | Finding::LowThickening => VerdictMark::Patch,
+        Finding::AbnormalPatch | Finding::UnclassifiedPatch => VerdictMark::Patch,
         Finding::GlobalHypokinesia => VerdictMark::GlobalHypokinesia,
         Finding::WithoutPatch => VerdictMark::AbnormalWithoutPatch,
     }
@@ -143,7 +144,7 @@ fn sentence(verdict: &Verdict, calibrated: bool) -> String {
         // Without a classifier there is nobody that it could be like.
         Finding::Nothing if !calibrated => format!("No patch counts by default thresholds{little}"),
         Finding::Nothing => format!("The heart is as those of the normal subjects{little}"),
-        Finding::Patch | Finding::LowThickening => {
+        Finding::AbnormalPatch | Finding::UnclassifiedPatch => {
             "Thickening in part of the wall is far below that of remote myocardium".to_owned()
         }
         Finding::GlobalHypokinesia => {

@@ -79,8 +79,8 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
             .count()
     };
     let mut parts: Vec<String> = [
-        Finding::Patch,
-        Finding::LowThickening,
+        Finding::AbnormalPatch,
+        Finding::UnclassifiedPatch,
         Finding::GlobalHypokinesia,
         Finding::WithoutPatch,
         Finding::Nothing,
@@ -147,7 +147,7 @@ pub(super) fn classifier(verdicts: &Verdicts) -> String {
     words
 }
 
-/// How well the labels are told apart by whole deformations; `None` where there are too few.
+/// How well the labels are classified on whole deformations; `None` where there are too few.
 pub(super) fn classes(classes: &Classes) -> Option<String> {
     let of = |name: &str, found: Option<Accuracy>| {
         let found = found?;

@@ -4,7 +4,7 @@ use super::editing::{card, choose, ids, key, redo, row, study, undo};
 use super::*;
 use cardiomorph::app::PathQuestion;
 use cardiomorph::panes::{EditCommand, FileCommand, Phase, PhaseFrame, Whose};
-use cardiomorph::study::{CoordinateUnit, LabelRole};
+use cardiomorph::study::{CoordinateUnit, LabelClass};
 use egui::Key;
 
 /// The tables of a study as they are exported.
@@ -110,7 +110,7 @@ fn an_edited_study_is_written_and_read_back_as_it_was_edited() {
             subjects: vec![0, 1],
             label: "Müller's \"A\"".to_owned(),
         },
-        EditCommand::SetRole(Whose::Subject(0), LabelRole::Abnormal),
+        EditCommand::SetClass(Whose::Subject(0), LabelClass::Abnormal),
         EditCommand::Rename {
             subject: 2,
             id: "Zoë 3".to_owned(),
@@ -139,7 +139,7 @@ fn an_edited_study_is_written_and_read_back_as_it_was_edited() {
         app.state().document.study().name == written.name && app.state().document.study.opening == 2
     });
     let read = study(&harness);
-    assert_eq!(read.label_roles, written.label_roles);
+    assert_eq!(read.label_classes, written.label_classes);
     assert_eq!(read.in_order(), written.in_order());
     assert_eq!(read.count(), written.count());
     for (read, written) in read.all().zip(written.all()) {

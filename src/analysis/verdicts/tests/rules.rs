@@ -34,8 +34,8 @@ fn cavity(
 /// Eight of each of three labels: normal, dilated, uneven; and an unlabelled one that moves as the dilated do.
 fn study() -> Study {
     let mut study = Study::default();
-    study.label_roles.normal = vec!["NOR".to_owned()];
-    study.label_roles.abnormal = vec!["DCM".to_owned(), "MINF".to_owned()];
+    study.label_classes.normal = vec!["NOR".to_owned()];
+    study.label_classes.abnormal = vec!["DCM".to_owned(), "MINF".to_owned()];
     for number in 0..8 {
         let little = 0.004 * number as f64;
         let kinds = [
