@@ -10,12 +10,11 @@ use crate::study::Subject;
 
 use super::dialogs::Dialogs;
 use super::errors::push_card;
-use super::export::{
-    FigureColours, FigureExport, FigureKind, NoFigure, TableExport, write_study_into,
-};
+use super::export::{FigureColours, FigureExport, FigureKind, NoFigure, TableExport};
 use super::path_question::{AskPaths, PathQuestion};
 use super::saved_views::{SavedViews, split_picture};
 use super::settings::remember_recent;
+use super::study_export::write_study_into;
 use crate::document::Leaving;
 use crate::document::document::Document;
 use crate::document::state::State;

@@ -3,17 +3,16 @@
 //! What an export holds is fixed when it is asked for. Its place is chosen later, while the window goes on:
 //! whatever is selected or opened in the meantime changes neither the name nor the content.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::document::{Leaving, StudyExport, ViewMode};
+use crate::document::ViewMode;
 use crate::engine::{
     Engine, ExportFile, Interrupted, Store, TableSettings, ThickeningSettings, VerdictQuery,
     distance_words, file_name, replace_results, tables_of_study,
 };
-use crate::io::{MeshFormat, write_study};
 use crate::picture::figure::{
     FigureLook, FigureOrder, FigureSubject, FigureView, PatchOrder, check_figure_size,
     rendered_figure, rendered_patch_figure,
@@ -23,10 +22,8 @@ use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings, frames_aroun
 use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
-use crate::ui::text::counted;
 
 use super::asks::{deformation_settings, verdict_settings};
-use super::errors::push_card;
 use super::typed_paths::with_png_ending;
 use crate::document::document::{Document, nearest_frame};
 use crate::document::play::pose_in;
@@ -362,41 +359,4 @@ impl TableExport {
             replace_results(&folder, tables)
         });
     }
-}
-
-/// Writes a study with its edits into a folder, off the window's thread, and leaves it for `then` once that is done. A
-/// folder that holds a study is refused: its meshes would be written over.
-pub fn write_study_into(
-    state: &mut State,
-    engine: &mut Engine,
-    study: Arc<Study>,
-    folder: &Path,
-    then: Option<Leaving>,
-) {
-    if !study.unread.is_empty() {
-        let why = "the study is still being read: what is not read yet would be missing";
-        return push_card(&mut state.errors, "Nothing was exported", why);
-    }
-    let manifest = folder.join("study.toml");
-    // An export into the same place that failed or was stopped has left nothing there.
-    state.exports.retain(|export| export.manifest != manifest);
-    state.exports.push(StudyExport {
-        manifest: manifest.clone(),
-        revision: study.revision,
-        then,
-    });
-    let folder = folder.to_owned();
-    let words = counted(study.count(), "subject");
-    engine.start_writing("Study", words, move |progress| {
-        if manifest.exists() {
-            return Err(format!(
-                "a study is in this folder already; choose an empty one: {}",
-                folder.display()
-            ));
-        }
-        let format = MeshFormat::of_extension("ply").ok_or("meshes cannot be written")?;
-        progress.begin_phase("writing meshes", 0.0, 1.0);
-        write_study(&study, &folder, format, progress).map_err(|error| error.to_string())?;
-        Ok(vec![manifest])
-    });
 }

@@ -31,6 +31,7 @@ mod settings;
 mod sheets;
 mod start;
 mod study_by_name;
+mod study_export;
 mod times;
 mod typed_paths;
 mod typefaces;
