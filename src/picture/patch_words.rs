@@ -31,8 +31,8 @@ impl PatchStanding {
         match verdict {
             None => Self::NoVerdict,
             Some(Ok(verdict)) if verdict.finding == Finding::Patch => Self::Abnormal,
-            // Default thresholds do not tell what is abnormal.
-            Some(Ok(verdict)) if verdict.finding == Finding::LowThickening => Self::Patch,
+            // The wall is told, but no classifier can say what of it is abnormal.
+            Some(Err(NotAssessed::NotComparable(_))) => Self::Patch,
             Some(_) => Self::LowThickening,
         }
     }

@@ -4,7 +4,7 @@ use super::column::{Column, column};
 use super::measures::SubjectRow;
 use super::shared;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::{ClassifierSource, Features, Verdict, Verdicts};
+use crate::analysis::verdicts::{Features, Verdict, Verdicts};
 use crate::study::Study;
 
 /// What the classifier and the patch detection say of one subject together.
@@ -61,8 +61,7 @@ impl VerdictRow {
         |row: &Self| row.probability.into(),
     )
     .share(
-        "Predicted probability of class abnormal, leave-one-out where the subject has a label; an \
-                 uncalibrated score where calibrated is no",
+        "Predicted probability of class abnormal, leave-one-out where the classifier was trained on the subject",
     )
     .or_short("Probability");
     /// The verdict in words.
@@ -84,7 +83,7 @@ impl VerdictRow {
                     ..Self::default()
                 };
                 match assessed {
-                    Ok(verdict) => unassessed.with(study, verdict, verdicts.classifier),
+                    Ok(verdict) => unassessed.with(study, verdict),
                     Err(reason) => Self {
                         finding: Some("not assessed"),
                         reason: Some(reason.to_string()),
@@ -104,12 +103,11 @@ impl VerdictRow {
         rows
     }
 
-    fn with(self, study: &Study, verdict: &Verdict, classifier: ClassifierSource) -> Self {
+    fn with(self, study: &Study, verdict: &Verdict) -> Self {
         let names = |others: &[usize]| {
             let subjects = others.iter().filter_map(|&other| study.subjects.get(other));
             subjects.map(|subject| subject.id.clone()).collect()
         };
-        let calibrated = classifier.is_calibrated();
         let outside: Vec<&str> = (verdict.outside.iter())
             .map(|feature| feature.name())
             .collect();
@@ -121,10 +119,10 @@ impl VerdictRow {
             .collect::<Vec<_>>();
         Self {
             assessed: true,
-            abnormal: calibrated.then_some(verdict.abnormal),
+            abnormal: Some(verdict.abnormal),
             probability: Some(verdict.probability),
             finding: Some(verdict.words()),
-            calibrated: Some(calibrated),
+            calibrated: Some(true),
             kind: verdict.kinds.first().map(|kind| kind.label.clone()),
             kind_probability: verdict.kinds.first().map(|kind| kind.probability),
             kinds: kinds.join("; "),

@@ -150,6 +150,12 @@ impl Feature {
         Self::ThickestEs,
     ];
 
+    /// The model feature of a name, in any case.
+    pub fn of_name(name: &str) -> Option<Self> {
+        let mut all = Self::MODEL_FEATURES.into_iter();
+        all.find(|feature| feature.name().eq_ignore_ascii_case(name.trim()))
+    }
+
     /// What it is called in tables, on screen and in files of classifiers.
     pub const fn name(self) -> &'static str {
         match self {

@@ -40,7 +40,7 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
                 Some(Ok(verdict)) => [
                     finding,
                     probability_words(verdict.probability),
-                    if verdict.finding.is_patch() {
+                    if verdict.finding == Finding::Patch {
                         percent(verdict.patched)
                     } else {
                         none()
@@ -80,7 +80,6 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
     };
     let mut parts: Vec<String> = [
         Finding::Patch,
-        Finding::LowThickening,
         Finding::GlobalHypokinesia,
         Finding::WithoutPatch,
         Finding::Nothing,
@@ -103,18 +102,8 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
 
 /// Which classifier the verdicts come from, and its accuracy.
 pub(super) fn classifier(verdicts: &Verdicts) -> String {
-    let (normal, abnormal) = match verdicts.classifier {
-        ClassifierSource::Uncalibrated { normal, abnormal } => {
-            return format!(
-                "Verdicts by default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a \
-                 label can be assessed: the number is an uncalibrated score, not a probability."
-            );
-        }
-        ClassifierSource::Rule { normal, abnormal } => {
-            return format!(
-                "Verdicts by a classifier trained on {normal} normal and {abnormal} abnormal subjects of another study."
-            );
-        }
+    let (normal, abnormal) = match &verdicts.classifier {
+        ClassifierSource::Rule(rule) => return format!("{}.", rule.words()),
         ClassifierSource::Cohort { normal, abnormal } => (normal, abnormal),
     };
     let mut words = format!(
