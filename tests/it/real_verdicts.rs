@@ -23,7 +23,7 @@ fn verdicts_of(study: &Study) -> Verdicts {
             Err(reason) => Err(NotAssessed::NoThickening(reason.clone())),
         })
         .collect();
-    verdicts(study, &inputs, &params, &Progress::default()).unwrap()
+    verdicts(study, &inputs, &params, None, &Progress::default()).unwrap()
 }
 
 /// The assessed hearts with a label.

@@ -53,13 +53,37 @@ impl FoundPath {
         }
     }
 
-    /// Energy as a share of the straight line's.
+    /// Energy as a share of the straight line's; 1 where there is nothing to move.
     pub fn energy_share(&self) -> f64 {
-        self.energy / self.energy_linear
+        match self.energy_linear > 0.0 {
+            true => self.energy / self.energy_linear,
+            false => 1.0,
+        }
     }
 }
 
 impl TransportAccount {
+    /// `along a geodesic, 0.913 of the straight line's energy`.
+    pub fn path_words(&self) -> String {
+        let shares = self.paths.iter().map(FoundPath::energy_share);
+        let words = match self.paths.len() {
+            0 => return "along the straight line, as asked for".to_owned(),
+            1 => "along a geodesic, ".to_owned(),
+            count => format!("along {count} geodesics, on average "),
+        };
+        let mean = shares.sum::<f64>() / self.paths.len() as f64;
+        let unfinished = match self.not_converged() {
+            0 => String::new(),
+            count => format!(" ({count} not converged)"),
+        };
+        format!("{words}{mean:.3} of the straight line's energy{unfinished}")
+    }
+
+    /// Paths whose search ended before its tolerance was met: they are no geodesics to that tolerance.
+    pub fn not_converged(&self) -> usize {
+        self.paths.iter().filter(|path| !path.converged).count()
+    }
+
     /// The largest change of a norm, relative to that norm.
     pub fn norm_change(&self) -> f64 {
         self.largest_change(|step| step.norms)

@@ -186,6 +186,17 @@ impl CheckedRule {
                 own.1,
             )));
         }
+        let unknown = (self.reads.iter().zip(&self.rule.features))
+            .filter(|(j, read)| row.get(**j).copied().flatten().is_none() && read.absence.is_none())
+            .map(|(&j, _)| Feature::MODEL_FEATURES[j].name())
+            .collect::<Vec<_>>();
+        // A median that stands in for most of it would be a verdict on nobody.
+        if 2 * unknown.len() >= self.reads.len() {
+            return Some(NotAssessed::NotComparable(format!(
+                "the classifier reads what is not known of this subject: {}",
+                unknown.join(", ")
+            )));
+        }
         let distance = self.distance_from_mean(&self.trained.abnormal.classifier.design.of(row));
         let farthest = *self.rule.distances.last()?;
         (distance > TOO_FAR * farthest).then(|| {

@@ -8,6 +8,7 @@ mod edit;
 mod file;
 mod map;
 mod pane;
+mod rule;
 mod transport;
 mod view;
 mod wall;
@@ -17,7 +18,7 @@ mod work;
 use std::sync::LazyLock;
 
 pub use {action::*, beat::*, edit::*, file::*, map::*, pane::*};
-pub use {transport::*, view::*, wall::*, window::*, work::*};
+pub use {rule::*, transport::*, view::*, wall::*, window::*, work::*};
 
 /// One request of the user.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +31,8 @@ pub enum Command {
     Map(MapCommand),
     /// The wall and its patches; applied by `app/apply/wall.rs`.
     Wall(WallCommand),
+    /// The classifier from a file; applied by `app/apply/rule.rs`.
+    Rule(RuleCommand),
     /// Transported motions and interpolated poses; applied by `app/apply/transport.rs`.
     Transport(TransportCommand),
     /// Undo, redo, and edits of the study; applied by `app/apply/edit.rs`.
@@ -54,7 +57,7 @@ macro_rules! kinds {
 
 #[rustfmt::skip]
 kinds!(
-    Beat(BeatCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Transport(TransportCommand),
+    Beat(BeatCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Rule(RuleCommand), Transport(TransportCommand),
     Edit(EditCommand), File(FileCommand), Work(WorkCommand), Window(WindowCommand)
 );
 
@@ -68,6 +71,7 @@ pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
         .chain(wide(beat::ACTIONS))
         .chain(wide(view::ACTIONS))
         .chain(wide(wall::ACTIONS))
+        .chain(wide(rule::ACTIONS))
         .chain(wide(transport::ACTIONS))
         .chain(of_metrics().map(|row| row.widened()))
         .chain(wide(map::ACTIONS))
