@@ -66,7 +66,7 @@ impl Rules {
             let (_, wanted) = self.reading.take()?;
             match outcome {
                 Ok(rule) => self.waiting = Some((Arc::new(rule), wanted)),
-                Err(error) => push_card(&mut state.errors, FAILED, error),
+                Err(error) => push_card(&mut state.errors, FAILED, error.to_string()),
             }
         }
         let Wanted { opening, next } = self.waiting.as_ref()?.1;

@@ -5,8 +5,8 @@ use crate::analysis::measures::measure_subject;
 use crate::analysis::medial::{MedialParams, medial_beat};
 use crate::analysis::thickening::{ThickeningParams, thickening};
 use crate::analysis::verdicts::{
-    Feature, Features, Finding, Kind, NotAssessed, Reason, TrainingSetDistance, VerdictInput,
-    VerdictParams, examine, verdicts,
+    ClassifierSource, Feature, Features, Finding, Kind, NotAssessed, Reason, TrainingSetDistance,
+    VerdictInput, VerdictParams, examine, verdicts,
 };
 use crate::mesh::phantom;
 use crate::progress::Progress;
