@@ -16,7 +16,7 @@ use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
 use crate::cli::words::{
-    AlignWord, DistancesWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch, UnitWord,
+    AlignWord, DistancesWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch, UnitWord, feature,
 };
 use crate::io::MeshFormat;
 
@@ -181,7 +181,7 @@ pub struct LearnArgs {
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
     /// Model features that the classifier reads, by their names in its file, with commas between them [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = super::learn::feature)]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = feature)]
     pub features: Vec<Feature>,
     /// What the file says of itself
     #[arg(long, value_name = "TEXT")]

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::analysis::verdicts::{Feature, Rule};
+use crate::analysis::verdicts::Rule;
 use crate::cli::args::LearnArgs;
 use crate::cli::input::{answered, in_unit, opened_study, store};
 use crate::cli::measure::say_warnings;
@@ -30,10 +30,4 @@ pub(super) fn learn(args: &LearnArgs) -> Result<(), CliError> {
         );
     }
     print(&args.out.display().to_string())
-}
-
-/// A model feature by its name in the file of a classifier.
-pub(super) fn feature(name: &str) -> Result<Feature, String> {
-    let names = || Feature::MODEL_FEATURES.map(Feature::name).join(", ");
-    Feature::of_name(name).ok_or_else(|| format!("the model features are {}", names()))
 }

@@ -16,8 +16,7 @@ pub struct VerdictRow {
     pub label: Option<String>,
     /// Whether there is a verdict.
     pub assessed: bool,
-    /// Whether it is classified as abnormal; `None` where it is not assessed, and where default thresholds stand in for a
-    /// classifier.
+    /// Whether it is classified as abnormal; `None` where it is not assessed.
     pub abnormal: Option<bool>,
     /// Predicted probability of class abnormal.
     pub probability: Option<f64>,
@@ -68,8 +67,7 @@ impl VerdictRow {
     pub const FINDING: Column<Self> = column("finding", "Verdict", |row: &Self| row.finding.into())
         .plain(
             "Verdict as the window shows it: no regional abnormality, abnormal patch, global \
-                     hypokinesia, abnormal without a patch, patch of low thickening (default thresholds), normal \
-                     or abnormal, wall not assessed, or not assessed",
+                     hypokinesia, abnormal without a patch, normal or abnormal, wall not assessed, or not assessed",
         );
 
     /// One row per subject of the study.

@@ -29,8 +29,6 @@ mod reading;
 #[cfg(test)]
 mod reading_figures;
 #[cfg(test)]
-mod rules;
-#[cfg(test)]
 mod typed_paths;
 #[cfg(test)]
 mod verdicts;

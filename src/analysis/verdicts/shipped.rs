@@ -6,8 +6,8 @@ use super::checked_rule::CheckedRule;
 use super::error::RuleError;
 use super::rule::Rule;
 
-/// The text of its file; `assets/rules/SOURCE.md` tells how it was made, and why it reads what it reads.
-const TEXT: &str = include_str!("../../../assets/rules/built-in.json");
+/// The text of its file; `assets/classifiers/SOURCE.md` tells how it was made, and why it reads what it reads.
+const TEXT: &str = include_str!("../../../assets/classifiers/built-in.json");
 
 /// The rule that ships with the program, read as any other.
 ///

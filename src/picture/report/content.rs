@@ -168,6 +168,28 @@ pub(super) fn classes(classes: &Classes) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::verdicts::RuleSource;
+
+    #[test]
+    fn the_classifier_of_the_verdicts_is_named_with_what_it_was_trained_on() {
+        let verdicts = Verdicts {
+            subjects: Vec::new(),
+            classifier: ClassifierSource::Rule(RuleSource {
+                name: "ward".to_owned(),
+                study: "Ward 7".to_owned(),
+                normal: 8,
+                abnormal: 16,
+                auc: Some(0.98),
+                labelled: None,
+            }),
+            features: Vec::new(),
+            quality: None,
+        };
+        assert_eq!(
+            classifier(&verdicts),
+            "Classifier “ward”, trained on 24 subjects of Ward 7 (8 normal, 16 abnormal), AUC 0.98 there."
+        );
+    }
 
     #[test]
     fn what_tells_labels_apart_is_said_with_its_permutation_mean() {

@@ -1,5 +1,8 @@
 //! What is said of hearts in the window: the column, the pane, and what patches may be called.
 
+#[cfg(test)]
+mod rules;
+
 use super::*;
 use cardiomorph::engine::{ClassesQuery, DeformationMapQuery};
 use cardiomorph::panes::{

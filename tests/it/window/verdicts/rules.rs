@@ -122,7 +122,7 @@ fn what_is_no_classifier_has_one_card_and_changes_nothing() {
 fn without_a_file_dialog_the_classifier_is_typed() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("typed.json");
-    std::fs::copy("assets/rules/built-in.json", &path).unwrap();
+    std::fs::copy("assets/classifiers/built-in.json", &path).unwrap();
     let mut options = AppOptions::built_in(small());
     options.ask_paths = Arc::new(|_| None);
     let mut harness = window(options);
