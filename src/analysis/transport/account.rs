@@ -101,3 +101,49 @@ impl TransportAccount {
         changes.fold(0.0, f64::max)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_transport_says_what_its_paths_cost_and_whether_the_search_for_them_ended() {
+        let path = |energy: f64, converged: bool| FoundPath {
+            energy,
+            energy_linear: 2.0,
+            iterations: 9,
+            converged,
+        };
+        let told = |paths: &[FoundPath]| {
+            let account = TransportAccount {
+                paths: paths.to_vec(),
+                steps: Vec::new(),
+            };
+            (account.path_words(), account.not_converged())
+        };
+        let whole = told(&[path(1.8, true)]);
+        assert_eq!(
+            whole.0,
+            "along a geodesic, 0.900 of the straight line's energy"
+        );
+        assert_eq!(whole.1, 0);
+        let unfinished = told(&[path(1.8, true), path(1.6, false)]);
+        assert_eq!(
+            unfinished.0,
+            "along 2 geodesics, on average 0.850 of the straight line's energy (1 not converged)"
+        );
+        assert_eq!(unfinished.1, 1);
+        assert_eq!(told(&[]).0, "along the straight line, as asked for");
+    }
+
+    #[test]
+    fn subjects_in_one_place_need_no_energy_to_move() {
+        let still = FoundPath {
+            energy: 0.0,
+            energy_linear: 0.0,
+            iterations: 0,
+            converged: true,
+        };
+        assert_eq!(still.energy_share(), 1.0);
+    }
+}

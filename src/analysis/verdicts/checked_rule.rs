@@ -186,12 +186,16 @@ impl CheckedRule {
                 own.1,
             )));
         }
-        let unknown = (self.reads.iter().zip(&self.rule.features))
-            .filter(|(j, read)| row.get(**j).copied().flatten().is_none() && read.absence.is_none())
-            .map(|(&j, _)| Feature::MODEL_FEATURES[j].name())
-            .collect::<Vec<_>>();
-        // A median that stands in for most of it would be a verdict on nobody.
-        if 2 * unknown.len() >= self.reads.len() {
+        let always_known: Vec<usize> = (self.reads.iter().zip(&self.rule.features))
+            .filter(|(_, read)| read.median.is_some() && read.absence.is_none())
+            .map(|(&j, _)| j)
+            .collect();
+        let unknown: Vec<&str> = (always_known.iter())
+            .filter(|&&j| row.get(j).copied().flatten().is_none())
+            .map(|&j| Feature::MODEL_FEATURES[j].name())
+            .collect();
+        // Medians that stand in for half of what was known of everybody would be a verdict on nobody.
+        if !unknown.is_empty() && 2 * unknown.len() >= always_known.len() {
             return Some(NotAssessed::NotComparable(format!(
                 "the classifier reads what is not known of this subject: {}",
                 unknown.join(", ")

@@ -221,7 +221,7 @@ fn features_are_what_was_built_in() {
 fn wall(subject: &mut Arc<Subject>, index: usize) {
     let ejected = match index {
         16 => 0.02,
-        7..14 | 15 => 0.14,
+        7..=13 | 15 => 0.14,
         _ => 0.27,
     };
     let surface = |kind, radius: f64, kept: f64| {

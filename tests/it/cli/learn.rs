@@ -72,6 +72,18 @@ fn a_rule_makes_the_verdicts_and_says_so() {
     let classifier = &summary["verdicts"]["classifier"];
     assert_eq!(classifier["name"], "rule");
     assert_eq!(classifier["study"], "Built-in cohort");
+    // How each motion was transported stands beside.
+    let transports = summary["deformations"]["transports"].as_array().unwrap();
+    assert_eq!(transports.len(), 23);
+    for transport in transports {
+        let shares = transport["energy_shares"].as_array().unwrap();
+        assert!(
+            shares.len() == 1 && shares[0].as_f64().unwrap() <= 1.0,
+            "{transport}"
+        );
+        assert_eq!(transport["converged"], true, "{transport}");
+        assert!(transport["norm_change"].as_f64().unwrap() < 1e-6);
+    }
     let path = folder.path().join("verdicts.csv");
     let place = |name: &str| header(&path).iter().position(|key| key == name).unwrap();
     let (calibrated, outside) = (place("calibrated"), place("outside_training"));

@@ -92,10 +92,10 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
             .iter_mut()
             .for_each(|normal| *normal = turn * *normal);
     }
-    let verdicts = classified(&[(beat, found), measured(moved)], &[None, None]);
+    let told = [(beat, found), measured(moved)].map(|heart| input(&heart).unwrap().features);
     for feature in Feature::ALL {
-        let [a, b] = [0, 1].map(|subject| assessed(&verdicts, subject).features.get(feature));
-        // Balls of one pose tell nothing of the whole heart, and thickness is a length.
+        let [a, b] = [0, 1].map(|subject: usize| told[subject].get(feature));
+        // Thickness is a length.
         let (Some(a), Some(b), "" | "ln PT" | "rad") = (a, b, feature.unit()) else {
             continue;
         };
