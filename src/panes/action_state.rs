@@ -57,7 +57,8 @@ impl ActionState<'_> {
             | Command::Window(WindowCommand::ToggleFullScreen)
             | Command::File(FileCommand::Quit) => true,
             Command::Rule(RuleCommand::Forget) => document.rule.is_some(),
-            Command::File(FileCommand::ExportStudy(_) | FileCommand::ChooseFilesToAdd)
+            Command::Rule(RuleCommand::Export(_))
+            | Command::File(FileCommand::ExportStudy(_) | FileCommand::ChooseFilesToAdd)
             | Command::File(FileCommand::ChooseFolderToAdd) => {
                 !document.study().subjects.is_empty() && document.study().unread.is_empty()
             }

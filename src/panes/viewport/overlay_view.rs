@@ -21,7 +21,7 @@ use crate::panes::viewport::overlay::{
 };
 use crate::picture::{
     ColourLegend, PreparedSubject, Quantity, SubjectAxes, SubjectScene, USER_LIMITS, is_between,
-    position_words,
+    position_words, sentence,
 };
 use crate::render::Camera;
 use crate::study::Subject;
@@ -143,19 +143,22 @@ fn beside_its_origin(
 
 /// How a motion was transported; what is no geodesic stands out.
 fn transport_note(account: &TransportAccount) -> PatchNote {
-    let (path, unfinished) = (account.path_words(), account.not_converged() > 0);
-    let heading = match unfinished {
-        true => "The geodesic did not converge",
-        false => "Parallel transport",
-    };
+    let path = sentence(&account.path_words());
+    let kept = format!("lengths kept within {:.1} %", 100.0 * account.norm_change());
+    if account.not_converged() > 0 {
+        let heading = "The geodesic did not converge".to_owned();
+        return PatchNote {
+            short: heading.clone(),
+            heading,
+            lines: vec![path, kept],
+            found: true,
+        };
+    }
     PatchNote {
-        heading: heading.to_owned(),
-        short: heading.to_owned(),
-        lines: vec![
-            format!("transported {path}"),
-            format!("lengths kept within {:.1} %", 100.0 * account.norm_change()),
-        ],
-        found: unfinished,
+        heading: path,
+        short: "along a geodesic".to_owned(),
+        lines: vec![kept],
+        found: false,
     }
 }
 
