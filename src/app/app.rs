@@ -170,7 +170,7 @@ impl App {
     }
 
     fn take_in(&mut self, ctx: &Context) {
-        self.background.poll(&mut self.state);
+        (self.queue).extend(self.background.poll(&mut self.state));
         (self.typefaces).poll(ctx, &mut self.state, &self.background.engine);
         let chosen = (self.files).poll(&mut self.state, &mut self.background.engine);
         self.queue.extend(chosen);
@@ -230,7 +230,9 @@ impl App {
                 files.ask_to_add(&exporting, PathQuestion::OpenFolders);
             }
             Effect::Add(paths) => self.background.add(&self.state, paths),
-            Effect::ExportStudy(folder) => files.ask_for_study(&mut exporting, folder),
+            Effect::ExportStudy { folder, then } => {
+                files.ask_for_study(&mut exporting, folder, then);
+            }
             Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::ReadFirst(id) => self.background.engine.read_first(id),

@@ -1,4 +1,4 @@
-//! What the window asks the store about motions: poses between frames, a transported motion, where two poses differ.
+//! What the window asks the store about motions: interpolated poses, a transported motion, where two poses differ.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -67,7 +67,7 @@ impl MotionAsks {
             .collect()
     }
 
-    /// The whole motion once it is there; while it is computed and the motion stands still, the intervals that were on
+    /// The whole motion once it is there; while it is computed and the subject rests, the intervals that were on
     /// screen alone. A playing motion changes its poses once, not with every interval.
     fn interpolated_poses_of(
         &mut self,

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::engine::{Engine, OpenSource, Stage, StoreOptions, Wake};
 use crate::io::{Opened, renew_cohort_notices};
+use crate::panes::{Command, FileCommand};
 use crate::picture::reference_frame;
 use crate::study::{Notice, Revision, Study};
 use crate::ui::text::counted;
@@ -12,6 +13,7 @@ use crate::ui::text::counted;
 use super::apply::{Moment, change};
 use super::asks::Asks;
 use super::errors::{push_card, push_failure, push_open_errors};
+use crate::document::StudyExport;
 use crate::document::document::OpeningReport;
 use crate::document::state::State;
 
@@ -43,8 +45,9 @@ impl Background {
         })
     }
 
-    /// Takes in what finished since the last frame.
-    pub fn poll(&mut self, state: &mut State) {
+    /// Takes in what finished since the last frame; gives what is to be done after it.
+    pub fn poll(&mut self, state: &mut State) -> Option<Command> {
+        let mut next = None;
         self.engine.poll();
         for stage in self.engine.take_stages() {
             self.take_stage(state, stage);
@@ -61,14 +64,12 @@ impl Background {
             take_added(state, added, self.added_to, &moment);
         }
         if let Some(files) = self.engine.take_exported() {
-            let written = |export: &(PathBuf, Revision)| files.contains(&export.0);
-            let kept = state.exports.extract_if(.., |export| written(export));
-            state.kept.extend(kept.map(|(_, revision)| revision));
-            state.message = written_words(&files);
+            next = take_exported(state, &files);
         }
         for failure in self.engine.take_failures() {
             push_failure(&mut state.errors, &failure);
         }
+        next
     }
 
     /// Begins to read what is to be added to the study on screen.
@@ -111,6 +112,17 @@ impl Background {
             }
         }
     }
+}
+
+/// Files that were written. A study among them is left if it was written for that, unless it was edited meanwhile: then
+/// the person at the screen is asked again.
+fn take_exported(state: &mut State, files: &[PathBuf]) -> Option<Command> {
+    let written = |export: &mut StudyExport| files.contains(&export.manifest);
+    let kept: Vec<StudyExport> = state.exports.extract_if(.., written).collect();
+    state.message = written_words(files);
+    state.kept.extend(kept.iter().map(|export| export.revision));
+    state.leaving = Some(kept.into_iter().find_map(|export| export.then)?);
+    (!state.is_edited()).then(|| FileCommand::Leave.into())
 }
 
 fn written_words(files: &[PathBuf]) -> String {

@@ -17,6 +17,7 @@ use super::path_question::{AskPaths, PathQuestion};
 use super::rules::{RuleExport, Rules, split_rule};
 use super::saved_views::{SavedViews, split_picture};
 use super::settings::remember_recent;
+use crate::document::Leaving;
 use crate::document::document::Document;
 use crate::document::state::State;
 use crate::panes::pane_context::Kept;
@@ -161,14 +162,20 @@ impl ChosenFiles {
         self.dialogs.ask(exporting.engine, question, Box::new(add));
     }
 
-    /// Fixes the study at the moment it is asked for, then asks where it goes if that is not known.
-    pub fn ask_for_study(&mut self, exporting: &mut Exporting<'_>, folder: Option<PathBuf>) {
+    /// Fixes the study at the moment it is asked for, then asks where it goes if that is not known. It is left for `then`
+    /// once it is written.
+    pub fn ask_for_study(
+        &mut self,
+        exporting: &mut Exporting<'_>,
+        folder: Option<PathBuf>,
+        then: Option<Leaving>,
+    ) {
         let study = Arc::clone(exporting.state.document.study());
         if let Some(folder) = folder {
-            return write_study_into(exporting.state, exporting.engine, study, &folder);
+            return write_study_into(exporting.state, exporting.engine, study, &folder, then);
         }
         let write = |state: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
-            write_study_into(state, engine, study, &paths.swap_remove(0));
+            write_study_into(state, engine, study, &paths.swap_remove(0), then);
             None
         };
         let question = PathQuestion::SaveStudy;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::document::ViewMode;
+use crate::document::{Leaving, StudyExport, ViewMode};
 use crate::engine::{
     Engine, ExportFile, Interrupted, Store, TableSettings, ThickeningSettings, VerdictQuery,
     distance_words, file_name, replace_results, tables_of_study,
@@ -364,17 +364,27 @@ impl TableExport {
     }
 }
 
-/// Writes a study with its edits into a folder, off the window's thread. A folder that holds a study is refused: its
-/// meshes would be written over.
-pub fn write_study_into(state: &mut State, engine: &mut Engine, study: Arc<Study>, folder: &Path) {
+/// Writes a study with its edits into a folder, off the window's thread, and leaves it for `then` once that is done. A
+/// folder that holds a study is refused: its meshes would be written over.
+pub fn write_study_into(
+    state: &mut State,
+    engine: &mut Engine,
+    study: Arc<Study>,
+    folder: &Path,
+    then: Option<Leaving>,
+) {
     if !study.unread.is_empty() {
         let why = "the study is still being read: what is not read yet would be missing";
         return push_card(&mut state.errors, "Nothing was exported", why);
     }
     let manifest = folder.join("study.toml");
     // An export into the same place that failed or was stopped has left nothing there.
-    state.exports.retain(|(path, _)| *path != manifest);
-    state.exports.push((manifest.clone(), study.revision));
+    state.exports.retain(|export| export.manifest != manifest);
+    state.exports.push(StudyExport {
+        manifest: manifest.clone(),
+        revision: study.revision,
+        then,
+    });
     let folder = folder.to_owned();
     let words = counted(study.count(), "subject");
     engine.start_writing("Study", words, move |progress| {

@@ -15,7 +15,7 @@ use super::bars;
 use super::layout::Layout;
 use super::panes::{Panes, tab_containers};
 use super::sheets;
-use crate::app::bars::menu_view::action_state;
+use crate::app::bars::action_states::action_state;
 use crate::app::bars::status_view::status_bar_view;
 use crate::app::sheets::report_view::report_entries;
 use crate::document::state::State;

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::panes::{PANES, Pane, Place};
 
 /// Shares of the window's width: cohort, 3D view, results.
-const COLUMN_SHARES: [f32; 3] = [0.19, 0.515, 0.295];
+const COLUMN_SHARES: [f32; 3] = [0.2, 0.505, 0.295];
 
 /// Shares of the right column's height: map, and below it measures beside curves.
 const RIGHT_SHARES: [f32; 2] = [0.53, 0.47];

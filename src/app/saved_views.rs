@@ -21,9 +21,9 @@ use crate::document::state::State;
 use crate::document::viewpoint::{Direction, Viewpoint};
 use crate::document::visibility::Visibility;
 
-/// Settings stand before the pixels: further into a picture or drawing there is nothing to look for …
+/// Settings stand before the pixels: further into a picture or drawing there is nothing to look for.
 const MAX_HEAD_BYTES: u64 = 1 << 20;
-/// … but at the end of a page for print, which is no larger than this.
+/// Settings stand at the end of a page for print, which is no larger than this.
 const MAX_PAGE_BYTES: u64 = 256 << 20;
 
 /// What a card says where a picture gives no view.
@@ -259,7 +259,7 @@ mod tests {
         scene.medial.atoms = true;
         scene.medial.part = Some(WallPart::Patch(1));
         let mut thickening = state.document.thickening;
-        thickening.patches.extent = 0.5;
+        thickening.patches.extent_threshold = 0.5;
         let subject = &state.document.study().subjects[1];
         let quantity = BullsEyeQuantity::Ratio;
         let name = &state.document.study().name;
@@ -279,7 +279,7 @@ mod tests {
         assert_eq!(document.limits(), Some([0.8, 1.25]));
         assert_eq!(document.part, Some(WallPart::Patch(1)));
         assert_eq!(document.bulls_eye, BullsEyeQuantity::Ratio);
-        assert_eq!(document.thickening.patches.extent, 0.5);
+        assert_eq!(document.thickening.patches.extent_threshold, 0.5);
         assert!(document.visibility.atoms && document.visibility.wireframe);
         assert_eq!(document.viewpoint.half_height, Some(40.0));
         assert!(state.errors.is_empty());
@@ -312,7 +312,7 @@ mod tests {
     fn thresholds_out_of_range_are_refused() {
         let mut state = state();
         let mut view = view(&state);
-        view.thickening.patches.core = -3.0;
+        view.thickening.patches.core_threshold = -3.0;
         let before = state.document.clone();
         apply(&mut state, &view, &moment());
         assert_eq!(state.document, before);

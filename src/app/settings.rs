@@ -42,7 +42,7 @@ pub struct Settings {
     pub recent: Vec<PathBuf>,
     /// How figures look.
     pub figure: FigureLook,
-    /// How motions play; the clock stands still.
+    /// How motions play; the clock is stopped.
     pub play: PlayClock,
 }
 

@@ -172,7 +172,7 @@ impl Pictured {
         progress: &Progress,
     ) -> Result<Option<Arc<SubjectThickening>>, CliError> {
         let assessed = self.verdicts.subjects.get(subject);
-        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
+        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::AbnormalPatch) {
             return Ok(None);
         }
         let query = WallThickeningQuery {

@@ -35,13 +35,13 @@ pub struct PatchOptions {
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub patch_tolerance: Option<f64>,
     /// Core threshold of a patch: thickening of its core relative to remote myocardium
-    #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().core, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().core_threshold, allow_negative_numbers = true)]
     pub patch_core: f64,
     /// Core threshold of a patch in ln PT from end-diastole to end-systole, in addition [default: ln 1.1]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub patch_still: Option<f64>,
     /// Extent threshold of a patch: thickening relative to remote myocardium
-    #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().extent, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().extent_threshold, allow_negative_numbers = true)]
     pub patch_border: f64,
     /// Minimum area of a patch, as a share of the wall
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().min_share, allow_negative_numbers = true)]
@@ -79,9 +79,9 @@ impl PatchOptions {
             patches: ThickeningParams {
                 tolerance: self.patch_tolerance,
                 ratio: RatioForm::from(self.patch_ratio),
-                core: self.patch_core,
-                akinetic: self.patch_still.unwrap_or(default.akinetic),
-                extent: self.patch_border,
+                core_threshold: self.patch_core,
+                akinetic_threshold: self.patch_still.unwrap_or(default.akinetic_threshold),
+                extent_threshold: self.patch_border,
                 min_share: self.patch_least_share,
                 min_thickening: (self.patch_least_thickening).unwrap_or(default.min_thickening),
                 smoothing: self.patch_averaging,
@@ -157,9 +157,9 @@ mod tests {
             patches: ThickeningParams {
                 tolerance: Some(0.07),
                 ratio: RatioForm::Product,
-                core: 0.1,
-                akinetic: 0.15,
-                extent: 0.2,
+                core_threshold: 0.1,
+                akinetic_threshold: 0.15,
+                extent_threshold: 0.2,
                 min_share: 0.03,
                 min_thickening: 0.04,
                 smoothing: 0.05,

@@ -295,3 +295,16 @@ pub fn feature(name: &str) -> Result<Feature, String> {
     let names = || Feature::MODEL_FEATURES.map(Feature::name).join(", ");
     Feature::of_name(name).ok_or_else(|| format!("the model features are {}", names()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_forms_are_the_names_that_files_have() {
+        for word in FormWord::value_variants() {
+            let value = word.to_possible_value().unwrap();
+            assert_eq!(value.get_name(), Form::from(*word).id());
+        }
+    }
+}

@@ -3,8 +3,8 @@
 /// A column of the cohort table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CohortColumn {
-    /// Shape of the label's role.
-    Role,
+    /// Shape of the label's class.
+    Class,
     /// Pseudonym.
     #[default]
     Subject,
@@ -12,7 +12,7 @@ pub enum CohortColumn {
     Label,
     /// Ejection fraction.
     EjectionFraction,
-    /// Verdict; sorted by the probability of being abnormal.
+    /// Verdict; sorted by the predicted probability of abnormal.
     Verdict,
 }
 

@@ -60,7 +60,7 @@ pub struct Document {
     pub map: PoseMapQuery,
     /// How whole deformations are mapped.
     pub deformation_map: DeformationMapParams,
-    /// What subjects are told apart by, where the study offers both; see [`Self::classes_by`].
+    /// What subjects are classified by, where the study offers both; see [`Self::classes_by`].
     pub chosen_classes: ClassesBy,
     /// Whether clusters of deformations are drawn.
     pub shows_clusters: bool,
@@ -167,7 +167,7 @@ impl Document {
         self.loop_range?.frames_of(self.selected()?)
     }
 
-    /// What subjects are told apart by: labels, unless the study offers both and the user chose their classes.
+    /// What subjects are classified by: labels, unless the study offers both and the user chose their classes.
     pub fn classes_by(&self) -> ClassesBy {
         match self.study().has_other_classes_than_labels() {
             true => self.chosen_classes,

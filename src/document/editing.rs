@@ -1,7 +1,10 @@
 //! What is being edited: the cell that is typed into, the point that was clicked, what waits until edits are exported.
 
+use std::path::PathBuf;
+
 use crate::engine::OpenSource;
 use crate::mesh::Point3;
+use crate::study::Revision;
 
 /// What can be typed in the cohort table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,6 +33,17 @@ pub struct PickedPoint {
     pub subject: usize,
     /// Where, in the coordinates of the subject.
     pub at: Point3,
+}
+
+/// A study that is being written.
+#[derive(Clone, Debug)]
+pub struct StudyExport {
+    /// Its manifest.
+    pub(crate) manifest: PathBuf,
+    /// What is written.
+    pub(crate) revision: Revision,
+    /// What it is left for once it is written.
+    pub(crate) then: Option<Leaving>,
 }
 
 /// What would leave a study with edits that are not exported.

@@ -53,7 +53,7 @@ impl InterpolatedMotion {
         (0..self.paths.len()).all(|interval| self.path(interval).is_some())
     }
 
-    /// Positions in the cycle of all poses between frames, ascending.
+    /// Positions in the cycle of all interpolated poses, ascending.
     pub fn positions(&self) -> Vec<f64> {
         let of_interval = |interval: usize| {
             let count = self.path(interval).map_or(0, |path| inner(path).len());
@@ -80,7 +80,7 @@ fn inner(path: &GeodesicPath) -> &[Vec<Point3>] {
     }
 }
 
-/// In-betweens of the motions looked at lately, put together from the paths that are known: the same value as long as
+/// Interpolated poses of the motions looked at lately, put together from the paths that are known: the same value as long as
 /// these stay, so that a subject is prepared once.
 #[derive(Clone, Debug, Default)]
 pub struct MotionMemo {
@@ -149,7 +149,7 @@ pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
 pub struct BetweenWords {
     /// `interpolated` or `linear interpolation`; `None` on a frame.
     pub short: Option<&'static str>,
-    /// The same, and what is wrong with the pose.
+    /// What `short` says, and what is wrong with the pose.
     pub badge: Option<&'static str>,
     /// How it was found, and what is wrong with it; empty on a frame.
     pub note: String,

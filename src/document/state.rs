@@ -17,7 +17,7 @@ use crate::study::{Revision, Study, Subject};
 
 use crate::document::answers::{Answers, FoundWall};
 use crate::document::document::{Document, OpeningReport, StudyRef};
-use crate::document::editing::{Leaving, PickedPoint, Typing};
+use crate::document::editing::{Leaving, PickedPoint, StudyExport, Typing};
 use crate::document::interpolated_poses::{InterpolatedMotion, geodesic_params};
 use crate::document::path_entry::PathEntry;
 use crate::document::play::PlayClock;
@@ -76,8 +76,8 @@ pub struct State {
     pub picked: Option<PickedPoint>,
     /// What waits for an answer about edits that are not exported.
     pub leaving: Option<Leaving>,
-    /// Studies that are being written: the file that is there at the end, and which state it holds.
-    pub(crate) exports: Vec<(PathBuf, Revision)>,
+    /// Studies that are being written.
+    pub(crate) exports: Vec<StudyExport>,
     /// States of studies that stand in files, or can be made again.
     pub(crate) kept: HashSet<Revision>,
     pub(crate) last_opening: u64,
@@ -167,7 +167,7 @@ impl State {
         self.latest(self.answers.deformations.as_ref())
     }
 
-    /// How well the classes of the study on screen can be told apart.
+    /// How well the classes of the study on screen are classified.
     pub fn classes(&self) -> Option<&Arc<Classes>> {
         self.latest(self.answers.classes.as_ref())
     }

@@ -74,15 +74,18 @@ mod tests {
         let mut state = state_of(ids.map(|id| subject_with_frames(id, 3)).to_vec());
         assert_eq!(state.patch_standing(0), PatchStanding::NoVerdict);
         let found = verdicts(&[
-            Some(Finding::Patch),
+            Some(Finding::AbnormalPatch),
             Some(Finding::Nothing),
             Some(Finding::GlobalHypokinesia),
             None,
         ]);
         state.answers.verdicts = Some(Showing::Ready(found));
         let standings: Vec<PatchStanding> = (0..4).map(|i| state.patch_standing(i)).collect();
-        let little = PatchStanding::LowThickening;
-        assert_eq!(standings, [PatchStanding::Abnormal, little, little, little]);
+        let little = PatchStanding::RegionOnly;
+        assert_eq!(
+            standings,
+            [PatchStanding::AbnormalPatch, little, little, little]
+        );
         assert_eq!(state.patch_look(0), PatchLook::Found);
         assert_eq!(state.patch_look(1), PatchLook::Faint);
     }
@@ -90,7 +93,7 @@ mod tests {
     #[test]
     fn verdicts_of_the_thresholds_before_stay_and_say_so_but_not_those_of_another_study() {
         let mut state = state_of(vec![subject_with_frames("a", 3)]);
-        let found = verdicts(&[Some(Finding::Patch)]);
+        let found = verdicts(&[Some(Finding::AbnormalPatch)]);
         state.answers.verdicts = Some(Showing::Ready(Arc::clone(&found)));
         assert!(matches!(state.verdicts(), Some((_, true))));
         state.answers.verdicts = Some(Showing::Computing {
@@ -98,7 +101,7 @@ mod tests {
             watch: Arc::default(),
         });
         assert!(matches!(state.verdicts(), Some((_, false))));
-        assert_eq!(state.patch_standing(0), PatchStanding::Abnormal);
+        assert_eq!(state.patch_standing(0), PatchStanding::AbnormalPatch);
         state.document.study.listing.0 += 1;
         assert!(state.verdicts().is_none());
         assert_eq!(state.patch_standing(0), PatchStanding::NoVerdict);

@@ -42,7 +42,7 @@ struct News {
     /// Whether the user waits for what was read.
     urgent: bool,
     enough: bool,
-    told: Option<Instant>,
+    reported: Option<Instant>,
 }
 
 impl Feed {
@@ -61,12 +61,16 @@ impl Feed {
     /// The next step, if it is time for one; with `all`, whatever there is.
     pub fn stage(&self, all: bool) -> Option<Stage> {
         let mut news = self.news();
-        let due = all || news.urgent || news.told.is_none_or(|told| told.elapsed() >= PERIOD);
+        let due = all
+            || news.urgent
+            || news
+                .reported
+                .is_none_or(|reported| reported.elapsed() >= PERIOD);
         let found = news.begun || news.read.iter().any(|(_, subject)| subject.is_some());
         if news.read.is_empty() || !due || !found {
             return None;
         }
-        news.told = Some(Instant::now());
+        news.reported = Some(Instant::now());
         news.urgent = false;
         let read = std::mem::take(&mut news.read);
         if news.begun {

@@ -26,12 +26,11 @@ use crate::report::{
 };
 use crate::study::Study;
 
-/// Share of the work until poses are mapped; the rest classifies motions …
+/// Share of the work that is done when poses are mapped.
 const POSES_SHARE: f32 = 0.75;
-/// … until here, and then assesses walls.
+/// Share of the work that is done when motions are classified.
 const CLASSES_SHARE: f32 = 0.8;
-
-/// … until here, and then classifies subjects.
+/// Share of the work that is done when walls are assessed; the rest classifies subjects.
 const WALLS_SHARE: f32 = 0.99;
 
 /// How distances of poses are written: their number grows with the square of that of the poses.
@@ -102,7 +101,7 @@ pub struct AnalysisTables {
     pub poses: Arc<PoseMap>,
     /// The deformation map.
     pub deformations: Option<Arc<DeformationMap>>,
-    /// How well the labels are told apart by it.
+    /// How well the labels are classified on it.
     pub classes: Option<Arc<Classes>>,
     /// The subjects whose wall could not be assessed, and why.
     pub unassessed: Vec<Unassessed>,
@@ -348,7 +347,7 @@ fn classified(
     let classes = store.answer(study, &by(ClassesBy::Label), progress)?;
     // Several labels may count as abnormal: both questions are asked where the study says which.
     let by_role = (study.has_both_classes())
-        .then(|| store.answer(study, &by(ClassesBy::Role), progress))
+        .then(|| store.answer(study, &by(ClassesBy::Class), progress))
         .transpose()?;
     // The classification has asked for the map, so it is known by now.
     Ok(Classified {

@@ -49,7 +49,7 @@ const WITHOUT_SHAPE: &[&[u8]] = &[
     b"con",
 ];
 
-/// How programs begin remarks that do not know the format's own `#`.
+/// How programs begin comments that do not know the format's own `#`.
 const REMARKS: &[&[u8]] = &[b"//", b"%", b";"];
 
 /// Keywords of curves and curved surfaces, which are left out.

@@ -86,7 +86,7 @@ fn read_binary(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
 }
 
 /// Keywords may be in any case, `end loop` in one word or two, numbers on any line. Lines that begin with `#`, `;` or
-/// `//` are remarks.
+/// `//` are comments.
 fn read_text(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
     let mut solid_open = false;
     let text = without_end_mark(without_padding(bytes));

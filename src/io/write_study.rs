@@ -196,8 +196,11 @@ fn manifest(study: &Study, names: &[String], format: MeshFormat) -> String {
     if let (Some(unit), true) = (first_unit, one_unit) {
         text += &format!("units = \"{}\"\n", unit_word(unit));
     }
-    text += &format!("normal = {}\n", quoted_list(&study.label_roles.normal));
-    text += &format!("abnormal = {}\n", quoted_list(&study.label_roles.abnormal));
+    text += &format!("normal = {}\n", quoted_list(&study.label_classes.normal));
+    text += &format!(
+        "abnormal = {}\n",
+        quoted_list(&study.label_classes.abnormal)
+    );
     for (index, name) in study.in_order().into_iter().zip(names) {
         let Some(subject) = study.subject(index) else {
             continue;

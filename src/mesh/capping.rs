@@ -1,6 +1,6 @@
 //! Closes an open sheet at its boundary loops, so that it has a volume.
 
-use super::{Faces, MeshError, Point3, Sheet, area, signed_volume, winding_number};
+use super::{Faces, MeshError, Point3, Sheet, area, mean_point, signed_volume, winding_number};
 
 /// A sheet with a lid on each of its boundary loops: a flat fan from the loop to its centroid
 /// (the mean of its vertices). A loop that is not flat gets a lid that is not flat either.
@@ -78,19 +78,12 @@ impl CappedSheet {
         let at = |v: u32| vertices[v as usize];
         let sheet = self.triangles.iter().map(move |t| t.map(at));
         let lids = self.loops.iter().flat_map(move |rim| {
-            let centre = centroid(rim.iter().map(|&v| at(v)));
+            let centre = mean_point(rim.iter().map(|&v| at(v)));
             // A lid runs along the rim against the direction of the sheet's faces.
             (0..rim.len()).map(move |i| [at(rim[(i + 1) % rim.len()]), at(rim[i]), centre])
         });
         sheet.chain(lids)
     }
-}
-
-/// Mean of points; the origin if there are none.
-fn centroid(points: impl ExactSizeIterator<Item = Point3>) -> Point3 {
-    let count = points.len().max(1) as f64;
-    let sum = points.fold(super::Vector3::zeros(), |sum, point| sum + point.coords);
-    Point3::from(sum / count)
 }
 
 #[cfg(test)]

@@ -69,6 +69,13 @@ fn half_solid_angle([a, b, c]: [Vector3; 3]) -> f64 {
     a.dot(&b.cross(&c)).atan2(below)
 }
 
+/// Mean of points; the origin if there are none.
+pub fn mean_point(points: impl ExactSizeIterator<Item = Point3>) -> Point3 {
+    let count = points.len().max(1) as f64;
+    let sum: Vector3 = points.map(|point| point.coords).sum();
+    Point3::from(sum / count)
+}
+
 /// Lowest and highest coordinates; `None` without points.
 pub fn bounding_box<'a>(points: impl IntoIterator<Item = &'a Point3>) -> Option<[Point3; 2]> {
     let mut points = points.into_iter();

@@ -25,7 +25,7 @@ pub use curvature::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
 pub use decimation::Decimation;
 pub use face_order::FaceOrder;
 pub use faces::{Faces, MeshError};
-pub use measure::{area, bounding_box, signed_volume, vertex_areas, winding_number};
+pub use measure::{area, bounding_box, mean_point, signed_volume, vertex_areas, winding_number};
 pub use normals::{face_normals, vertex_normals};
 pub use plane_section::{Contour, plane_section};
 pub use point::{Point3, Vector3};

@@ -19,7 +19,7 @@ pub use lanczos::{LeadingEigenError, leading_eigen};
 pub use lanes::{Arithmetic, LANES, Lanes, both, three};
 pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
 pub use lower_columns::LowerCsc;
-pub use median::lower_median;
+pub use median::{lower_median, median};
 pub use moderate_unit::moderate_unit;
 pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};

@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use crate::document::State;
 use crate::panes::commands::{
-    BeatCommand, Command, EditCommand, FileCommand, MapCommand, Pane, Phase, PhaseFrame,
+    Command, EditCommand, FileCommand, MapCommand, Pane, Phase, PhaseFrame, PlaybackCommand,
     RuleCommand, TransportCommand, ViewCommand, WallCommand, Whose, WindowCommand,
 };
 use crate::picture::Quantity;
@@ -31,7 +31,7 @@ impl ActionState<'_> {
             Command::Transport(TransportCommand::StopTransport) => {
                 document.visible_transport().is_some()
             }
-            Command::Beat(BeatCommand::SetLoopRange(None)) => document.loop_range.is_some(),
+            Command::Playback(PlaybackCommand::SetLoopRange(None)) => document.loop_range.is_some(),
             Command::Map(MapCommand::SetClassesBy(by)) => {
                 document.classes_by() == *by || document.study().has_other_classes_than_labels()
             }
@@ -74,7 +74,7 @@ impl ActionState<'_> {
         };
         let excluded = document.study().is_excluded(document.subject);
         match command {
-            EditCommand::SetRole(..) => subject.label.is_some(),
+            EditCommand::SetClass(..) => subject.label.is_some(),
             EditCommand::Exclude(_) | EditCommand::Include(_) | EditCommand::Delete(_)
                 if !document.study().unread.is_empty() =>
             {
@@ -141,11 +141,11 @@ pub fn is_on(state: &State, command: &Command) -> Option<bool> {
         }
         Command::Map(MapCommand::SetClassesBy(by)) => document.classes_by() == *by,
         Command::Map(MapCommand::ToggleClusters) => document.shows_clusters,
-        Command::Edit(EditCommand::SetRole(_, role)) => {
+        Command::Edit(EditCommand::SetClass(_, class)) => {
             let labelled = document
                 .selected()
                 .filter(|subject| subject.label.is_some());
-            labelled.is_some_and(|subject| document.study().role(subject) == *role)
+            labelled.is_some_and(|subject| document.study().class_of(subject) == *class)
         }
         Command::Edit(EditCommand::SetUnit(Whose::All, unit)) => {
             let mut all = document.study().all();
@@ -154,7 +154,7 @@ pub fn is_on(state: &State, command: &Command) -> Option<bool> {
         Command::Edit(EditCommand::SetUnit(_, unit)) => {
             (document.selected()).is_some_and(|subject| subject.coordinate_unit() == *unit)
         }
-        Command::Beat(BeatCommand::ToggleLoop) => state.play.repeat,
+        Command::Playback(PlaybackCommand::ToggleLoop) => state.play.repeat,
         Command::Window(WindowCommand::SetTheme(theme)) => state.theme == *theme,
         Command::Window(WindowCommand::ToggleFullScreen) => state.full_screen,
         _ => return None,

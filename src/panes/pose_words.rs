@@ -9,7 +9,7 @@ pub fn between_words_of(state: &State, subject: usize, position: f64) -> Between
     between_words(motion, position, straight_because(state))
 }
 
-/// Why poses between frames are straight, where that is not for want of time.
+/// Why interpolated poses are linear interpolations, where that is not for want of time.
 pub fn straight_because(state: &State) -> &'static str {
     let Some(params) = geodesic_params(&state.document) else {
         return "Interpolated poses are off (menu Analysis)";

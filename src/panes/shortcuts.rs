@@ -113,7 +113,7 @@ fn is_function_key(key: Key) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::panes::{BeatCommand, EditCommand, WindowCommand};
+    use crate::panes::{EditCommand, PlaybackCommand, SelectCommand, WindowCommand};
 
     const NONE: Modifiers = Modifiers::NONE;
     const CTRL: Modifiers = Modifiers::COMMAND;
@@ -146,11 +146,11 @@ mod tests {
         );
         assert_eq!(
             pressed(SHIFT, Key::ArrowLeft),
-            [Command::Beat(BeatCommand::GoToEndDiastole)]
+            [Command::Playback(PlaybackCommand::GoToEndDiastole)]
         );
         assert_eq!(
             pressed(NONE, Key::ArrowLeft),
-            [Command::Beat(BeatCommand::StepFrame(-1))]
+            [Command::Playback(PlaybackCommand::StepFrame(-1))]
         );
         assert_eq!(
             pressed(SHIFT, Key::Questionmark),
@@ -174,7 +174,7 @@ mod tests {
         }
         let help = Command::Window(WindowCommand::ToggleShortcuts);
         assert_eq!(shortcut_text(&ctx, &help).as_deref(), Some("?"));
-        let from_here = Command::Beat(BeatCommand::LoopFromHere);
+        let from_here = Command::Playback(PlaybackCommand::LoopFromHere);
         assert_eq!(shortcut_text(&ctx, &from_here).as_deref(), Some("["));
     }
 
@@ -204,7 +204,7 @@ mod tests {
             output.drop_without_applying_deltas();
             commands
         };
-        let step = |step| [Command::Beat(BeatCommand::StepSubject(step))];
+        let step = |step| [Command::Select(SelectCommand::StepSubject(step))];
         assert_eq!(press(Key::Tab, SHIFT, false), step(-1));
         assert_eq!(press(Key::Tab, NONE, true), step(1));
         assert_eq!(press(Key::Tab, NONE, true), []);

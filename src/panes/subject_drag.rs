@@ -44,8 +44,8 @@ pub struct SubjectTarget<'a> {
     pub subject: usize,
     /// Its pseudonym.
     pub id: &'a str,
-    /// Subjects whose vertices correspond have the same number.
-    pub correspondence: usize,
+    /// Whether its vertices correspond with those of the subject that is dragged.
+    pub corresponds: bool,
 }
 
 /// Highlights the target under a dragged subject, and takes the drop.
@@ -60,10 +60,9 @@ pub fn subject_target_ui(
     else {
         return;
     };
-    let correspond = dragged.correspondence == target.correspondence;
     let pointer = ui.input(|input| input.pointer.latest_pos());
     let over = response.contains_pointer() && pointer.is_some_and(|at| target.rect.contains(at));
-    if correspond {
+    if target.corresponds {
         let colours = colours(ui);
         let colour = if over {
             colours.accent
@@ -93,7 +92,7 @@ pub fn subject_target_ui(
         );
         return;
     }
-    let words = if correspond {
+    let words = if target.corresponds {
         format!("Transport motion: {} → {}", dragged.id, target.id)
     } else {
         format!("No vertex correspondence: {}, {}", dragged.id, target.id)

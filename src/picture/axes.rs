@@ -1,6 +1,6 @@
 //! Which way a heart is turned in a picture: its axes, the six views, and the orientation cube.
 
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::{Vector3, mean_point};
 use crate::picture::openings::openings;
 use crate::study::{Subject, SurfaceKind, SurfaceSequence};
 
@@ -142,13 +142,13 @@ fn towards_opening(surface: &SurfaceSequence) -> Option<Vector3> {
     let widest = openings(surface)
         .into_iter()
         .max_by(|a, b| a.area.total_cmp(&b.area))?;
-    (widest.centre - mean(mesh.vertices())).try_normalize(0.0)
+    (widest.centre - mean_point(mesh.vertices().iter().copied())).try_normalize(0.0)
 }
 
 /// The direction of greatest extent, pointing to the end whose cross-section is wider.
 fn towards_wider_end(surface: &SurfaceSequence) -> Vector3 {
     let points = surface.frames()[0].vertices();
-    let centre = mean(points);
+    let centre = mean_point(points.iter().copied());
     let mut spread = nalgebra::Matrix3::zeros();
     for point in points {
         let offset = point - centre;
@@ -169,15 +169,10 @@ fn towards_wider_end(surface: &SurfaceSequence) -> Vector3 {
     if lean < 0.0 { -axis } else { axis }
 }
 
-fn mean(points: &[Point3]) -> Point3 {
-    let sum: Vector3 = points.iter().map(|point| point.coords).sum();
-    Point3::from(sum / points.len().max(1) as f64)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{TriMesh, phantom};
+    use crate::mesh::{Point3, TriMesh, phantom};
     use crate::study::{Anatomy, MeshSequence};
     use crate::units::LengthUnit;
 
@@ -225,7 +220,7 @@ mod tests {
     fn without_landmarks_the_opening_is_up_and_nothing_is_named() {
         let bowl = phantom::bowl(30.0, 4, 12);
         let rim = bowl.faces().boundary_loops();
-        let centre = mean(bowl.vertices());
+        let centre = mean_point(bowl.vertices().iter().copied());
         let opening = bowl.vertices()[rim[0][0] as usize].z;
         let axes = SubjectAxes::of(&subject(SurfaceKind::Endocardium, bowl));
         assert!(axes.up.z.abs() > 0.999);

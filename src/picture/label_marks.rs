@@ -2,7 +2,7 @@
 //! mark subjects alike.
 
 use crate::picture::tokens::srgb;
-use crate::study::{LabelRole, Study};
+use crate::study::{LabelClass, Study};
 
 /// How subjects of one label are marked in tables, maps and legends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -50,25 +50,30 @@ impl LabelMark {
         // Shapes go by all labels of the study: they stay the same while it is read.
         let labels = read.chain(study.unread.iter().map(|unread| &unread.label));
         let labels: Vec<_> = labels
-            .map(|label| (label.as_deref(), study.label_roles.role(label.as_deref())))
+            .map(|label| {
+                (
+                    label.as_deref(),
+                    study.label_classes.class_of(label.as_deref()),
+                )
+            })
             .collect();
         let mut marks = Self::of_study(&labels);
         marks.truncate(study.count());
         marks
     }
 
-    /// The same of labels with their roles.
-    pub fn of_study<'a>(labels: &[(Option<&'a str>, LabelRole)]) -> Vec<Self> {
-        let other = |&(label, role): &(Option<&'a str>, LabelRole)| {
-            let label = label.filter(|_| role != LabelRole::Normal)?;
-            Some((role != LabelRole::Abnormal, label.to_lowercase()))
+    /// The same of labels with their classes.
+    pub fn of_study<'a>(labels: &[(Option<&'a str>, LabelClass)]) -> Vec<Self> {
+        let other = |&(label, class): &(Option<&'a str>, LabelClass)| {
+            let label = label.filter(|_| class != LabelClass::Normal)?;
+            Some((class != LabelClass::Abnormal, label.to_lowercase()))
         };
         let mut known: Vec<(bool, String)> = labels.iter().filter_map(other).collect();
         known.sort();
         known.dedup();
         let first = usize::from(known.first().is_some_and(|(neither, _)| *neither));
-        let mark = |subject: &(Option<&'a str>, LabelRole)| match (subject.1, other(subject)) {
-            (LabelRole::Normal, _) => Self::Normal,
+        let mark = |subject: &(Option<&'a str>, LabelClass)| match (subject.1, other(subject)) {
+            (LabelClass::Normal, _) => Self::Normal,
             (_, Some(label)) => {
                 let place = first + known.binary_search(&label).unwrap_or_default();
                 Self::Label(u8::try_from(place).unwrap_or(u8::MAX))
@@ -150,12 +155,12 @@ mod tests {
     #[test]
     fn every_label_of_a_study_has_its_own_mark_whatever_the_order_of_subjects() {
         let study = [
-            (Some("MINF"), LabelRole::Abnormal),
-            (Some("DCM"), LabelRole::Abnormal),
-            (Some("NOR"), LabelRole::Normal),
-            (Some("RV"), LabelRole::Unknown),
-            (Some("dcm"), LabelRole::Abnormal),
-            (None, LabelRole::Unknown),
+            (Some("MINF"), LabelClass::Abnormal),
+            (Some("DCM"), LabelClass::Abnormal),
+            (Some("NOR"), LabelClass::Normal),
+            (Some("RV"), LabelClass::Neither),
+            (Some("dcm"), LabelClass::Abnormal),
+            (None, LabelClass::Neither),
         ];
         let marks = LabelMark::of_study(&study);
         let [dcm, minf, rv] = [0, 1, 2].map(LabelMark::Label);
@@ -169,8 +174,8 @@ mod tests {
 
     #[test]
     fn the_cross_is_that_of_the_ill_whatever_other_labels_are_called() {
-        let abnormal = (Some("abnormal"), LabelRole::Abnormal);
-        let other = (Some("a follow-up"), LabelRole::Unknown);
+        let abnormal = (Some("abnormal"), LabelClass::Abnormal);
+        let other = (Some("a follow-up"), LabelClass::Neither);
         let crossed = LabelMark::Label(0);
         assert_eq!(LabelMark::of_study(&[abnormal, other])[0], crossed);
         assert_ne!(LabelMark::of_study(&[other])[0], crossed);

@@ -3,17 +3,16 @@
 mod axes;
 mod bulls_eye;
 mod colour_map;
+mod colour_ranges;
 pub mod figure;
 mod fit;
 mod frame_words;
 mod heart_frame;
 mod label_marks;
 mod legend;
-mod limits;
 mod medial;
 mod medial_noise_plot;
 mod noise_plot;
-mod numbers;
 mod openings;
 mod origin;
 pub mod page;
@@ -24,6 +23,7 @@ pub mod report;
 mod scale_bar;
 mod scene;
 mod scene_settings;
+mod surface_scalars;
 mod ticks;
 mod tokens;
 mod wall_rim;
@@ -34,6 +34,7 @@ pub use bulls_eye::{
     sector_outline, sector_strip,
 };
 pub use colour_map::ColourMap;
+pub use colour_ranges::{CohortLimits, reference_frame};
 pub use fit::fitted_camera;
 pub use frame_words::{
     frame_words, frames_around, is_between, position_words, share_unit, share_words,
@@ -41,22 +42,21 @@ pub use frame_words::{
 pub use heart_frame::SubjectFrame;
 pub use label_marks::{LabelMark, MarkShape, label_colour_of};
 pub use legend::{ColourLegend, Tick, USER_LIMITS};
-pub use limits::{CohortLimits, reference_frame};
 pub use medial::{
     MedialSettings, PatchLook, PreparedMedial, SubjectMedial, WallPart, facing_patch,
 };
 pub use medial_noise_plot::medial_noise_page;
 pub use noise_plot::noise_page;
-pub use numbers::{SurfaceScalars, relative_density};
 pub use origin::PictureOrigin;
 pub use patch_words::{
-    PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,
-    sentence, smallest_words,
+    PatchStanding, area_text, part_name, patch_heading, percent, segment_words, sentence,
+    smallest_words, wall_thickening_words,
 };
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;
 pub use scene::{SubjectExtras, SubjectScene, scene_with_extras, subject_scene};
 pub use scene_settings::SceneSettings;
+pub use surface_scalars::{SurfaceScalars, relative_density};
 pub use ticks::{logarithmic_ticks, nice_ceiling, nice_floor, nice_ticks, tick_text};
 pub use tokens::{PictureTheme, srgb};

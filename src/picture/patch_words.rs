@@ -1,7 +1,7 @@
 //! What is said of patches, in the window and in figures alike.
 
 use crate::analysis::segments::{Level, Segment};
-use crate::analysis::thickening::{Extent, Patch, Thickening};
+use crate::analysis::thickening::{Patch, Thickening, WallThickening};
 use crate::analysis::verdicts::{Finding, NotAssessed, Verdict};
 use crate::picture::medial::PatchLook;
 use crate::report::PatchRow;
@@ -17,11 +17,11 @@ pub enum PatchStanding {
     #[default]
     NoVerdict,
     /// The verdict on the heart is an abnormal patch.
-    Abnormal,
+    AbnormalPatch,
     /// It is a patch of low thickening, which nothing has told to be abnormal.
-    Patch,
+    UnclassifiedPatch,
     /// It is something else: they are regions of low thickening.
-    LowThickening,
+    RegionOnly,
 }
 
 impl PatchStanding {
@@ -30,42 +30,44 @@ impl PatchStanding {
     pub fn of(verdict: Option<&Result<Verdict, NotAssessed>>) -> Self {
         match verdict {
             None => Self::NoVerdict,
-            Some(Ok(verdict)) if verdict.finding == Finding::Patch => Self::Abnormal,
+            Some(Ok(verdict)) if verdict.finding == Finding::AbnormalPatch => Self::AbnormalPatch,
             // The wall is told, but no classifier can say what of it is abnormal.
-            Some(Err(NotAssessed::NotComparable(_))) => Self::Patch,
-            Some(_) => Self::LowThickening,
+            Some(Err(NotAssessed::NotComparable(_))) => Self::UnclassifiedPatch,
+            Some(_) => Self::RegionOnly,
         }
     }
 
     /// How the borders of these parts are drawn.
     pub fn look(self) -> PatchLook {
         match self {
-            Self::LowThickening => PatchLook::Faint,
-            Self::NoVerdict | Self::Patch | Self::Abnormal => PatchLook::Found,
+            Self::RegionOnly => PatchLook::Faint,
+            Self::NoVerdict | Self::UnclassifiedPatch | Self::AbnormalPatch => PatchLook::Found,
         }
     }
 
     /// What one of them is called.
     pub fn part(self) -> &'static str {
         match self {
-            Self::NoVerdict | Self::Patch | Self::Abnormal => "Patch",
-            Self::LowThickening => "Region",
+            Self::NoVerdict | Self::UnclassifiedPatch | Self::AbnormalPatch => "Patch",
+            Self::RegionOnly => "Region",
         }
     }
 }
 
 /// "1 abnormal patch · 31 % of the LV", or what else the verdict lets it be called.
 pub fn patch_heading(thickening: &Thickening, standing: PatchStanding) -> String {
-    match (thickening.extent, thickening.patches.as_slice()) {
-        (Extent::HardlyAnywhere, _) => "Global hypokinesia".to_owned(),
+    match (thickening.wall_thickening, thickening.patches.as_slice()) {
+        (WallThickening::HardlyAnywhere, _) => "Global hypokinesia".to_owned(),
         (_, []) => "No patch".to_owned(),
         (_, patches) => {
             let share: f64 = patches.iter().map(|patch| patch.share).sum();
             let [one, more] = match standing {
                 PatchStanding::NoVerdict => ["patch", "patches"],
-                PatchStanding::Patch => ["patch of low thickening", "patches of low thickening"],
-                PatchStanding::Abnormal => ["abnormal patch", "abnormal patches"],
-                PatchStanding::LowThickening => {
+                PatchStanding::UnclassifiedPatch => {
+                    ["patch of low thickening", "patches of low thickening"]
+                }
+                PatchStanding::AbnormalPatch => ["abnormal patch", "abnormal patches"],
+                PatchStanding::RegionOnly => {
                     ["region of low thickening", "regions of low thickening"]
                 }
             };
@@ -94,18 +96,18 @@ pub fn part_name(standing: PatchStanding, index: usize) -> String {
 }
 
 /// How much the wall thickens, in a sentence.
-pub fn extent_words(thickening: &Thickening) -> String {
+pub fn wall_thickening_words(thickening: &Thickening) -> String {
     let remote = percent(thickening.remote.exp() - 1.0);
-    match thickening.extent {
-        Extent::HardlyAnywhere => {
+    match thickening.wall_thickening {
+        WallThickening::HardlyAnywhere => {
             format!(
                 "Even the region of highest thickening reaches only {remote}: no patch is reported"
             )
         }
-        Extent::Everywhere => {
+        WallThickening::Everywhere => {
             format!("No region of low thickening; remote myocardium thickens by {remote}")
         }
-        Extent::AllButPatches => format!("Remote myocardium thickens by {remote}"),
+        WallThickening::AllButPatches => format!("Remote myocardium thickens by {remote}"),
     }
 }
 

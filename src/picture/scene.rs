@@ -5,10 +5,10 @@ use std::sync::Arc;
 use crate::picture::fit::blended;
 use crate::picture::legend::{ColourLegend, USER_LIMITS, colour_map};
 use crate::picture::medial::{SubjectMedial, add_marks, atom_legend};
-use crate::picture::numbers::SurfaceScalars;
 use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 use crate::picture::quantity::Quantity;
 use crate::picture::scene_settings::SceneSettings;
+use crate::picture::surface_scalars::SurfaceScalars;
 use crate::picture::tokens::{
     ENDOCARDIUM, EPICARDIUM, EPICARDIUM_OPACITY, OTHER_SURFACE, SILHOUETTE, TRANSLUCENT_SILHOUETTE,
     WALL_CUT,

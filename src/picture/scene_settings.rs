@@ -1,6 +1,6 @@
 //! How a heart is drawn: quantity, colours, surfaces, marks.
 
-use crate::picture::limits::CohortLimits;
+use crate::picture::colour_ranges::CohortLimits;
 use crate::picture::medial::MedialSettings;
 use crate::picture::quantity::Quantity;
 use crate::picture::tokens::PictureTheme;

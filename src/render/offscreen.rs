@@ -9,7 +9,7 @@ use super::{Camera, Rgba, Scene};
 
 /// Greatest width and height of a picture, in pixels.
 pub const LARGEST_PICTURE: u32 = 8192;
-/// Greatest side of a piece drawn at once: its textures take up to 420 MB with four samples and translucent layers.
+/// Greatest side of a piece drawn at once: its textures need as much as 420 MB with four samples and translucent layers.
 const LARGEST_TILE: u32 = 2560;
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]

@@ -12,7 +12,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::MedialMap;
 use crate::analysis::pose_distances::PoseDistances;
 use crate::analysis::verdicts::{VerdictParams, Verdicts};
-use crate::study::{LabelRole, Study};
+use crate::study::{LabelClass, Study};
 
 /// What an analysis of a study found, all but the walls themselves, of which there are too many for memory.
 #[derive(Clone, Debug)]
@@ -47,10 +47,10 @@ impl AnalysisReport<'_> {
     /// `summary.json`, without the list of files.
     pub fn summary(&self) -> Value {
         let study = self.study;
-        let count = |role| {
+        let count = |class| {
             let subjects = study.subjects.iter();
             subjects
-                .filter(|subject| study.role(subject) == role)
+                .filter(|subject| study.class_of(subject) == class)
                 .count()
         };
         let left_out = self.distances.left_out.iter().map(|left_out| {
@@ -65,9 +65,9 @@ impl AnalysisReport<'_> {
             "note": "research use, not for diagnosis",
             "study": study.name,
             "labels": {
-                "normal": count(LabelRole::Normal),
-                "abnormal": count(LabelRole::Abnormal),
-                "other": count(LabelRole::Unknown),
+                "normal": count(LabelClass::Normal),
+                "abnormal": count(LabelClass::Abnormal),
+                "other": count(LabelClass::Neither),
             },
             "subjects": subjects_json(&SubjectRow::of_study(study, self.measures)),
             "poses": self.distances.poses.len(),

@@ -9,7 +9,7 @@ use super::table::{Row, TableWords, records};
 use crate::analysis::deformations::{DeformationMap, PartDistances};
 use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::MedialMap;
-use crate::analysis::metrics::{Corners, Form, Regulariser};
+use crate::analysis::metrics::{Corners, Regulariser};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
 use crate::analysis::transport::Reference;
 use crate::study::Study;
@@ -86,12 +86,7 @@ pub fn distances_json(
         "rows": "poses_mds.csv",
         "in_words": words,
         "metric": metric.kind.words().id,
-        "form": match metric.form {
-            Form::Printed => "printed",
-            Form::Bilinear => "bilinear",
-            Form::Frozen => "frozen",
-            Form::Additive => "additive",
-        },
+        "form": metric.form.id(),
         "corners": match metric.corners {
             Corners::Raw => "raw",
             Corners::ScaleFree => "scale-free",
@@ -164,7 +159,7 @@ impl Row for PoseRow {
     ];
 }
 
-/// Place of one subject's deformation over the beat on the deformation map.
+/// Place of one subject's whole deformation on the deformation map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DeformationRow {
     /// Pseudonym.
@@ -177,9 +172,9 @@ pub struct DeformationRow {
     pub nearest: Option<String>,
     /// How far that is.
     pub distance: Option<f64>,
-    /// Parts of it, before weights.
+    /// Part of the distance that is of deformations, before weights.
     pub deformation: Option<f64>,
-    /// The same of shape.
+    /// Part of the distance that is of shapes, before weights.
     pub shape: Option<f64>,
     /// Share of shape in both parts, each over its median, in `0.0..=1.0`.
     pub shape_share: Option<f64>,

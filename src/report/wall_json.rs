@@ -6,7 +6,7 @@ use super::table::json_cells;
 use super::wall::{AssessedWall, PatchRow};
 use crate::analysis::medial::MedialParams;
 use crate::analysis::medial_space::RatioForm;
-use crate::analysis::thickening::{Extent, HalfBeat, Patch, ThickeningParams};
+use crate::analysis::thickening::{HalfBeat, Patch, ThickeningParams, WallThickening};
 
 /// The settings, with the names of their options on the command line; angles are in degrees, and a
 /// tolerance of `null` is estimated from noise.
@@ -20,9 +20,9 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
             RatioForm::GeometricMean => "geometric-mean",
             RatioForm::Product => "product",
         },
-        "patch_core": params.core,
-        "patch_still": params.akinetic,
-        "patch_border": params.extent,
+        "patch_core": params.core_threshold,
+        "patch_still": params.akinetic_threshold,
+        "patch_border": params.extent_threshold,
         "patch_least_share": params.min_share,
         "patch_least_thickening": params.min_thickening,
         "patch_averaging": params.smoothing,
@@ -46,10 +46,10 @@ pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
         "subject": wall.subject,
         "assessed": true,
         "reason": null,
-        "extent": match found.extent {
-            Extent::Everywhere => "thickens everywhere",
-            Extent::AllButPatches => "thickens but for patches",
-            Extent::HardlyAnywhere => "hardly thickens anywhere",
+        "extent": match found.wall_thickening {
+            WallThickening::Everywhere => "thickens everywhere",
+            WallThickening::AllButPatches => "thickens but for patches",
+            WallThickening::HardlyAnywhere => "hardly thickens anywhere",
         },
         "end_diastole": found.end_diastole,
         "end_systole": found.end_systole,

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use super::study::ExcludedSubject;
-use super::{LabelRole, Notice, Revision, Study, Subject, plain_label};
+use super::{LabelClass, Notice, Revision, Study, Subject, plain_label};
 
 /// Why a study was not edited.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -24,7 +24,7 @@ pub enum EditError {
     /// An id names a subject.
     #[error("an id cannot be empty")]
     EmptyId,
-    /// Two subjects of one id could not be told apart.
+    /// Two subjects of one id could not be distinguished.
     #[error("another subject has the id {id}")]
     TakenId {
         /// The id.
@@ -115,7 +115,7 @@ impl Study {
     }
 
     /// The study with the subjects of another one after its own; who has an id that is taken gets a number, and a note
-    /// says so. What labels count as is taken over for labels that this study has no role for.
+    /// says so. What labels count as is taken over for labels that this study has no class for.
     pub fn adding(&self, other: &Study, revision: Revision) -> Self {
         let mut edited = self.revised(revision);
         let mut taken: HashSet<String> = self.all().map(|subject| subject.id.clone()).collect();
@@ -131,14 +131,14 @@ impl Study {
                 edited.subjects.push(subject);
             }
         }
-        let theirs = &other.label_roles;
-        for (labels, role) in [
-            (&theirs.normal, LabelRole::Normal),
-            (&theirs.abnormal, LabelRole::Abnormal),
+        let theirs = &other.label_classes;
+        for (labels, class) in [
+            (&theirs.normal, LabelClass::Normal),
+            (&theirs.abnormal, LabelClass::Abnormal),
         ] {
             for label in labels {
-                if self.label_roles.role(Some(label)) == LabelRole::Unknown {
-                    edited.label_roles.set(label, role);
+                if self.label_classes.class_of(Some(label)) == LabelClass::Neither {
+                    edited.label_classes.set(label, class);
                 }
             }
         }
@@ -183,10 +183,10 @@ impl Study {
         labels
     }
 
-    /// The study with another role for a label.
-    pub fn with_role(&self, label: &str, role: LabelRole, revision: Revision) -> Self {
+    /// The study with another class for a label.
+    pub fn with_class(&self, label: &str, class: LabelClass, revision: Revision) -> Self {
         let mut edited = self.revised(revision);
-        edited.label_roles.set(label, role);
+        edited.label_classes.set(label, class);
         edited
     }
 
@@ -224,7 +224,7 @@ impl Study {
 
     /// How the lists of the study or its other subjects spell a label.
     fn spelling(&self, label: &str, but: &[usize]) -> String {
-        let lists = [&self.label_roles.normal, &self.label_roles.abnormal];
+        let lists = [&self.label_classes.normal, &self.label_classes.abnormal];
         let of_lists = lists.into_iter().flatten().map(String::as_str);
         let others = self
             .all()

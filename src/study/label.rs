@@ -2,26 +2,26 @@
 
 /// The class of a label, by which subjects are classified, and its shape and colour in every view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum LabelRole {
+pub enum LabelClass {
     /// A healthy subject: a circle.
     Normal,
     /// An ill subject: a cross.
     Abnormal,
     /// No label, or one that takes no part: a square.
     #[default]
-    Unknown,
+    Neither,
 }
 
 /// Which labels of a study count as normal and which as abnormal.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LabelRoles {
+pub struct LabelClasses {
     /// Labels of healthy subjects.
     pub normal: Vec<String>,
     /// Labels of ill subjects.
     pub abnormal: Vec<String>,
 }
 
-impl Default for LabelRoles {
+impl Default for LabelClasses {
     fn default() -> Self {
         Self {
             normal: vec!["normal".to_owned()],
@@ -30,33 +30,33 @@ impl Default for LabelRoles {
     }
 }
 
-impl LabelRoles {
-    /// The role of a label; letter case and blanks do not matter.
-    pub fn role(&self, label: Option<&str>) -> LabelRole {
+impl LabelClasses {
+    /// Of a label; letter case and blanks do not matter.
+    pub fn class_of(&self, label: Option<&str>) -> LabelClass {
         let Some(label) = label else {
-            return LabelRole::Unknown;
+            return LabelClass::Neither;
         };
         let label = plain_label(label);
         let named = |list: &[String]| list.iter().any(|name| plain_label(name) == label);
         if named(&self.normal) {
-            LabelRole::Normal
+            LabelClass::Normal
         } else if named(&self.abnormal) {
-            LabelRole::Abnormal
+            LabelClass::Abnormal
         } else {
-            LabelRole::Unknown
+            LabelClass::Neither
         }
     }
 
-    /// Gives a label a role, however it is spelled in the lists.
-    pub(super) fn set(&mut self, label: &str, role: LabelRole) {
+    /// Gives a label a class, however it is spelled in the lists.
+    pub(super) fn set(&mut self, label: &str, class: LabelClass) {
         let plain = plain_label(label);
         for list in [&mut self.normal, &mut self.abnormal] {
             list.retain(|known| plain_label(known) != plain);
         }
-        match role {
-            LabelRole::Normal => self.normal.push(label.to_owned()),
-            LabelRole::Abnormal => self.abnormal.push(label.to_owned()),
-            LabelRole::Unknown => {}
+        match class {
+            LabelClass::Normal => self.normal.push(label.to_owned()),
+            LabelClass::Abnormal => self.abnormal.push(label.to_owned()),
+            LabelClass::Neither => {}
         }
     }
 }
@@ -72,14 +72,14 @@ mod tests {
 
     #[test]
     fn labels_that_no_rule_names_take_no_part() {
-        let roles = LabelRoles {
+        let classes = LabelClasses {
             normal: vec!["NOR".to_owned()],
             abnormal: vec!["MINF".to_owned()],
         };
-        assert_eq!(roles.role(Some("nor")), LabelRole::Normal);
-        assert_eq!(roles.role(Some(" No r ")), LabelRole::Normal);
-        assert_eq!(roles.role(Some("MINF")), LabelRole::Abnormal);
-        assert_eq!(roles.role(Some("RV")), LabelRole::Unknown);
-        assert_eq!(roles.role(None), LabelRole::Unknown);
+        assert_eq!(classes.class_of(Some("nor")), LabelClass::Normal);
+        assert_eq!(classes.class_of(Some(" No r ")), LabelClass::Normal);
+        assert_eq!(classes.class_of(Some("MINF")), LabelClass::Abnormal);
+        assert_eq!(classes.class_of(Some("RV")), LabelClass::Neither);
+        assert_eq!(classes.class_of(None), LabelClass::Neither);
     }
 }

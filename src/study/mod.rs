@@ -19,7 +19,7 @@ mod subject;
 pub use anatomy::{Anatomy, Landmark, Landmarks};
 pub use cardiac_cycle::CycleTiming;
 pub use edits::EditError;
-pub use label::{LabelRole, LabelRoles, plain_label};
+pub use label::{LabelClass, LabelClasses, plain_label};
 pub use mesh_sequence::{
     CorrespondenceKey, MeshSequence, SequenceError, SequenceId, SurfaceKind, SurfaceSequence,
 };

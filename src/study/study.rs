@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::label::plain_label;
-use super::{LabelRole, LabelRoles, Subject};
+use super::{LabelClass, LabelClasses, Subject};
 
 /// Names one state of one study in this run of the program; results are keyed by it.
 ///
@@ -12,7 +12,7 @@ use super::{LabelRole, LabelRoles, Subject};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Revision(pub u64);
 
-/// Subjects and the roles of their labels. Shared as `Arc<Study>`, never changed.
+/// Subjects and the classes of their labels. Shared as `Arc<Study>`, never changed.
 ///
 /// An index of a subject counts those of the cohort first, then those excluded from it.
 #[derive(Clone, Debug, Default)]
@@ -27,7 +27,7 @@ pub struct Study {
     /// Subjects that no analysis of the cohort counts, in the order of the input.
     pub excluded: Vec<ExcludedSubject>,
     /// What labels count as.
-    pub label_roles: LabelRoles,
+    pub label_classes: LabelClasses,
     /// Which edit this is.
     pub revision: Revision,
 }
@@ -56,9 +56,9 @@ pub struct ExcludedSubject {
 }
 
 impl Study {
-    /// The role of a subject's label.
-    pub fn role(&self, subject: &Subject) -> LabelRole {
-        self.label_roles.role(subject.label.as_deref())
+    /// The class of a subject's label.
+    pub fn class_of(&self, subject: &Subject) -> LabelClass {
+        self.label_classes.class_of(subject.label.as_deref())
     }
 
     /// Whether telling normal from abnormal subjects is another question than telling their labels apart: subjects of
@@ -71,12 +71,12 @@ impl Study {
 
     /// Whether there are subjects of class normal and of class abnormal.
     pub fn has_both_classes(&self) -> bool {
-        let has = |role| {
+        let has = |class| {
             self.subjects
                 .iter()
-                .any(|subject| self.role(subject) == role)
+                .any(|subject| self.class_of(subject) == class)
         };
-        has(LabelRole::Normal) && has(LabelRole::Abnormal)
+        has(LabelClass::Normal) && has(LabelClass::Abnormal)
     }
 
     /// Index of the subject with this id.

@@ -20,7 +20,8 @@ pub struct Subject {
     pub scaled_by: f64,
     /// When each frame was taken.
     pub timing: CycleTiming,
-    /// Frame of end-diastole as said by the input or the user; found from the volumes if `None`.
+    /// Frame of end-diastole as said by the input or the user. Where there is none, measures find it from the volumes, and
+    /// shape analysis begins at [`Subject::start_frame`].
     pub end_diastole: Option<usize>,
     /// Frame of end-systole as said by the input or the user; found from the volumes if `None`.
     pub end_systole: Option<usize>,
@@ -151,6 +152,21 @@ impl Subject {
         edited
     }
 
+    /// The frame at which sizes are taken and from which motions count in distances, maps, transport and experiments: the
+    /// end-diastole that was stated, else frame 0, also where the stated one lies beyond the last frame.
+    ///
+    /// Not that of the volumes, which measures find: a subject without a cavity begins somewhere, too.
+    pub fn start_frame(&self) -> usize {
+        self.stated_phases().0.unwrap_or(0)
+    }
+
+    /// The frames of end-diastole and end-systole that were stated; one beyond the last frame is none.
+    pub fn stated_phases(&self) -> (Option<usize>, Option<usize>) {
+        let frames = self.sequence.frame_count();
+        let there = |stated: Option<usize>| stated.filter(|&frame| frame < frames);
+        (there(self.end_diastole), there(self.end_systole))
+    }
+
     /// What its shapes are known by.
     pub fn shape_key(&self) -> ShapeKey {
         ShapeKey {
@@ -175,6 +191,25 @@ impl Subject {
             anatomy: None,
             picked: Landmarks::default(),
             notices: Vec::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::phantom;
+    use crate::study::{SurfaceKind, SurfaceSequence};
+
+    #[test]
+    fn a_subject_begins_at_its_stated_end_diastole_and_at_frame_0_without_or_beyond() {
+        let frames = vec![phantom::sphere(1, 1.0), phantom::sphere(1, 2.0)];
+        let surface = SurfaceSequence::new(SurfaceKind::Cavity, frames).unwrap();
+        let sequence = MeshSequence::new(vec![surface]).unwrap();
+        let mut subject = Subject::new("a", sequence, LengthUnit::Millimetre);
+        for (stated, start) in [(None, 0), (Some(0), 0), (Some(1), 1), (Some(2), 0)] {
+            subject.end_diastole = stated;
+            assert_eq!(subject.start_frame(), start, "{stated:?}");
         }
     }
 }

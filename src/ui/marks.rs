@@ -3,15 +3,15 @@
 use egui::epaint::Mesh;
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
-use crate::study::LabelRole;
+use crate::study::LabelClass;
 use crate::ui::theme::line;
 
-/// What a role is called.
-pub fn role_name(role: LabelRole) -> &'static str {
-    match role {
-        LabelRole::Normal => "normal",
-        LabelRole::Abnormal => "abnormal",
-        LabelRole::Unknown => "other",
+/// What a class is called.
+pub fn class_name(class: LabelClass) -> &'static str {
+    match class {
+        LabelClass::Normal => "normal",
+        LabelClass::Abnormal => "abnormal",
+        LabelClass::Neither => "other",
     }
 }
 

@@ -1,4 +1,4 @@
-//! Panels, plots and widgets: they draw prepared views and push commands.
+//! Widgets, theme, marks and number fields: what panes and bars are drawn with, whatever they show.
 
 pub(crate) mod controls;
 pub(crate) mod fuzzy;
@@ -12,6 +12,6 @@ pub(crate) mod text;
 pub mod theme;
 
 pub use label_marks::LabelMark;
-pub use marks::role_name;
+pub use marks::class_name;
 pub use style::{add_faces, apply, install, medium_font};
 pub use {controls::*, text::*};

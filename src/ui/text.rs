@@ -2,6 +2,7 @@
 
 use egui::{Align2, Color32, FontId, Pos2, Ui};
 
+use crate::study::checks;
 use crate::ui::style::note_font;
 use crate::ui::theme::colours;
 
@@ -47,10 +48,9 @@ pub fn p_text(p: f64) -> String {
     }
 }
 
-/// "1 warning", "2 warnings".
+/// "1 warning", "2 warnings": of a noun with a regular plural.
 pub fn counted(count: usize, what: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {what}{plural}")
+    checks::counted(count, what, &format!("{what}s"))
 }
 
 /// First letters of a name that stay when its middle is left out, and how many last ones go before them.

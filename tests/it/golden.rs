@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::document::ThemeChoice;
-use cardiomorph::panes::{BeatCommand, Command, WindowCommand};
+use cardiomorph::panes::{Command, SelectCommand, WindowCommand};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
 use egui::Rect;
@@ -121,7 +121,7 @@ fn window_at(
     });
     harness
         .state_mut()
-        .push(Command::Beat(BeatCommand::SelectPose {
+        .push(Command::Select(SelectCommand::SelectPose {
             subject: SUBJECT,
             frame: FRAME,
             play: false,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cardiomorph::analysis::experiments::{NoiseFamily, NoiseReference, noise_sigma};
 use cardiomorph::analysis::segments::Segment;
-use cardiomorph::analysis::thickening::Extent;
+use cardiomorph::analysis::thickening::WallThickening;
 use cardiomorph::mesh::{Point3, TriMesh};
 use cardiomorph::study::built_in::{Abnormality, BuiltInParams, GroundTruth, cohort};
 use cardiomorph::study::{MeshSequence, Subject, SurfaceSequence};
@@ -23,7 +23,7 @@ struct Scored {
     found: usize,
     /// Segments of which a third lies in a true patch; and those of them found so.
     segments: [usize; 2],
-    extent: Extent,
+    wall_thickening: WallThickening,
 }
 
 impl Scored {
@@ -43,7 +43,7 @@ impl Scored {
             self.id,
             self.abnormality,
             self.found,
-            self.extent,
+            self.wall_thickening,
             patches.join(", "),
             self.segments[1],
             self.segments[0]
@@ -128,7 +128,7 @@ fn scored(subject: &Subject, truth: &GroundTruth) -> Scored {
                 .filter(|&&number| told(number))
                 .count(),
         ],
-        extent: found.extent,
+        wall_thickening: found.wall_thickening,
     }
 }
 

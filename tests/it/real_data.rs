@@ -77,8 +77,8 @@ fn gated_spect_opens_as_one_cohort_in_file_units() {
 fn acdc_walls_open_by_their_manifest_with_labels() {
     let opened = opened("acdc_walls/study.toml");
     assert_eq!(opened.study.name, "ACDC walls");
-    assert_eq!(opened.study.label_roles.normal, ["NOR"]);
-    assert_eq!(opened.study.label_roles.abnormal, ["MINF", "DCM", "HCM"]);
+    assert_eq!(opened.study.label_classes.normal, ["NOR"]);
+    assert_eq!(opened.study.label_classes.abnormal, ["MINF", "DCM", "HCM"]);
     assert_eq!(opened.study.subjects.len(), 100);
     for label in ["NOR", "MINF", "DCM", "HCM", "RV"] {
         let with = opened.study.subjects.iter();

@@ -6,7 +6,7 @@ use std::path::Path;
 use cardiomorph::analysis::measures::measure_subject;
 use cardiomorph::analysis::medial::MedialBeat;
 use cardiomorph::analysis::segments::{Segment, long_axis, segment};
-use cardiomorph::analysis::thickening::{Extent, Thickening, thickening_of_segments};
+use cardiomorph::analysis::thickening::{Thickening, WallThickening, thickening_of_segments};
 use cardiomorph::io::read_mesh;
 use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::mesh::{Point3, Vector3};
@@ -126,8 +126,16 @@ fn each_infarcted_heart_has_patches_with_segments_area_and_centroid() {
     for (subject, beat, found) in &hearts {
         let ef = 100.0 * measure_subject(subject).ef.unwrap();
         if found.patches.is_empty() {
-            println!("{}, {ef:.0} %: no patch, {:?}", subject.id, found.extent);
-            assert_eq!(found.extent, Extent::HardlyAnywhere, "{}", subject.id);
+            println!(
+                "{}, {ef:.0} %: no patch, {:?}",
+                subject.id, found.wall_thickening
+            );
+            assert_eq!(
+                found.wall_thickening,
+                WallThickening::HardlyAnywhere,
+                "{}",
+                subject.id
+            );
             without += 1;
         }
         let told = segments_of(subject, beat, found);

@@ -84,7 +84,7 @@ fn infarctions_are_told_from_normal_and_from_dilated_hearts() {
         let group = &groups[label];
         let counts = [
             Finding::Nothing,
-            Finding::Patch,
+            Finding::AbnormalPatch,
             Finding::GlobalHypokinesia,
             Finding::WithoutPatch,
         ]
@@ -120,8 +120,8 @@ fn infarctions_are_told_from_normal_and_from_dilated_hearts() {
     // 71: one heart short of the nine in ten that were aimed at; no feature was chosen by this number.
     assert!(kinds.of == 80 && kinds.correct >= 70, "{kinds:?}");
     assert!(ill >= 0.99);
-    assert!(count(&groups["NOR"], Finding::Patch) <= 2);
-    assert!(count(&groups["MINF"], Finding::Patch) >= 18);
+    assert!(count(&groups["NOR"], Finding::AbnormalPatch) <= 2);
+    assert!(count(&groups["MINF"], Finding::AbnormalPatch) >= 18);
     for feature in [Feature::Spread, Feature::UpperRange] {
         let regional = auc(&groups["MINF"], &groups["DCM"], of(feature));
         assert!(regional >= 0.93, "{}: {regional}", feature.name());
@@ -152,7 +152,7 @@ fn the_rim_of_a_wall_that_was_cut_is_no_patch() {
         // Nobody has labelled these volunteers. The built-in classifier was trained on none of them; whoever it calls abnormal
         // ejects less than any normal heart.
         assert_eq!(verdict.abnormal, ef < 0.45, "{}: {ef}", subject.id);
-        patched += usize::from(verdict.finding == Finding::Patch);
+        patched += usize::from(verdict.finding == Finding::AbnormalPatch);
     }
     assert!(
         study.subjects.len() == 25 && patched <= 4,
@@ -183,9 +183,9 @@ fn normal_hearts_of_the_built_in_cohort_have_no_patch_and_ill_ones_have() {
         match truth.abnormality {
             Abnormality::None => false_patches += usize::from(finding != Finding::Nothing),
             // They are ill, but their walls thicken well.
-            Abnormality::Hypertrophic => assert_ne!(finding, Finding::Patch),
+            Abnormality::Hypertrophic => assert_ne!(finding, Finding::AbnormalPatch),
             Abnormality::Dilated => assert_eq!(finding, Finding::GlobalHypokinesia),
-            _ => assert_eq!(finding, Finding::Patch),
+            _ => assert_eq!(finding, Finding::AbnormalPatch),
         }
     }
     assert!(false_patches <= 1, "{false_patches} of 9 normal hearts");

@@ -11,7 +11,8 @@ use std::time::{Duration, Instant};
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::document::{ThemeChoice, ViewMode};
 use cardiomorph::panes::{
-    BeatCommand, Command, Pane, TransportCommand, ViewCommand, WallCommand, WindowCommand,
+    Command, Pane, PlaybackCommand, SelectCommand, TransportCommand, ViewCommand, WallCommand,
+    WindowCommand,
 };
 use cardiomorph::picture::Quantity;
 use cardiomorph::study::built_in::BuiltInParams;
@@ -66,7 +67,7 @@ fn take(shot: Shot, folder: &Path) {
 }
 
 fn pose(subject: usize, frame: usize) -> Command {
-    Command::Beat(BeatCommand::SelectPose {
+    Command::Select(SelectCommand::SelectPose {
         subject,
         frame,
         play: false,
@@ -100,7 +101,7 @@ fn screenshots_are_taken_when_asked_for() {
                 pose(15, 3),
                 Command::View(ViewCommand::SetQuantity(Quantity::AreaRatio)),
                 Command::View(ViewCommand::SetViewMode(ViewMode::SideBySide)),
-                Command::Beat(BeatCommand::CompareWith(Some(2))),
+                Command::Select(SelectCommand::CompareWith(Some(2))),
             ],
         },
         Shot {
@@ -109,8 +110,8 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 dark.clone(),
                 Command::Transport(TransportCommand::TransportMotion { from: 15, onto: 2 }),
-                Command::Beat(BeatCommand::TogglePlay),
-                Command::Beat(BeatCommand::SetPosition(3.5)),
+                Command::Playback(PlaybackCommand::TogglePlay),
+                Command::Playback(PlaybackCommand::SetPosition(3.5)),
             ],
         },
         Shot {
@@ -168,7 +169,7 @@ fn screenshots_are_taken_when_asked_for() {
                 light.clone(),
                 pose(15, 3),
                 Command::View(ViewCommand::SetViewMode(ViewMode::SideBySide)),
-                Command::Beat(BeatCommand::CompareWith(Some(2))),
+                Command::Select(SelectCommand::CompareWith(Some(2))),
                 Command::View(ViewCommand::SetQuantity(Quantity::Contribution)),
             ],
         },

@@ -43,7 +43,7 @@ use cardiomorph::analysis::embedding::Embedding;
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::document::ViewMode;
 use cardiomorph::engine::{PoseMapQuery, Topic};
-use cardiomorph::panes::{BeatCommand, Command, MapCommand, Pane, WorkCommand};
+use cardiomorph::panes::{Command, MapCommand, Pane, PlaybackCommand, SelectCommand, WorkCommand};
 use cardiomorph::study::built_in::BuiltInParams;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -237,7 +237,7 @@ fn a_click_on_the_map_is_followed_by_table_picture_and_time_bar() {
     wait(&mut harness, "that heart", |app| {
         app.hearts_on_screen().first().map(|heart| heart.0) == Some(pose.subject)
     });
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
     harness.run();
     let position = harness.state().state().document.position;
     assert_eq!(
@@ -261,14 +261,14 @@ fn a_click_on_the_map_is_followed_by_table_picture_and_time_bar() {
 #[test]
 fn a_point_is_shown_within_one_frame_when_its_heart_is_ready() {
     let mut harness = mapped_window();
-    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(4)));
+    give(&mut harness, SelectCommand::SelectSubject(4).into());
     wait(&mut harness, "the fifth heart", |app| {
         app.hearts_on_screen()[0].0 == 4
     });
-    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(0)));
+    give(&mut harness, SelectCommand::SelectSubject(0).into());
     harness
         .state_mut()
-        .push(Command::Beat(BeatCommand::SelectPose {
+        .push(Command::Select(SelectCommand::SelectPose {
             subject: 4,
             frame: 3,
             play: false,

@@ -18,7 +18,7 @@ mod tests {
     use std::path::{Path, PathBuf};
 
     use crate::lexer::{Found, Source, read};
-    use crate::table::{EXCEPTIONS, NAME_STARTS, NAMES, PHRASES, Phrase};
+    use crate::table::{EXCEPTIONS, FREE_IN_COMMENTS, NAME_STARTS, NAMES, PHRASES, Phrase};
 
     fn root() -> &'static Path {
         Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -174,6 +174,26 @@ mod tests {
             .unwrap();
         }
         assert_eq!(count, 0, "\n{wrong}");
+    }
+
+    #[test]
+    fn no_comment_of_the_documentation_holds_a_word_that_has_a_better_one() {
+        let mut wrong = String::new();
+        for (file, source) in sources() {
+            for found in &source.docs {
+                let held = said(&found.text)
+                    .into_iter()
+                    .filter(|(phrase, _)| match phrase {
+                        Phrase::Part(words) => !FREE_IN_COMMENTS.contains(words),
+                        Phrase::Whole(_) => false,
+                    });
+                for (phrase, instead) in held {
+                    let (line, text) = (found.line, &found.text);
+                    writeln!(wrong, "{file}:{line}: {phrase:?}, say {instead:?}: {text}").unwrap();
+                }
+            }
+        }
+        assert!(wrong.is_empty(), "\n{wrong}");
     }
 
     #[test]

@@ -11,6 +11,22 @@ pub enum Phrase {
     Whole(&'static str),
 }
 
+/// Phrases whose words mean something else in comments on the code, where they are plain English or names of the code.
+pub const FREE_IN_COMMENTS: &[&str] = &[
+    "carries",
+    "carry",
+    "chance",
+    "elsewhere",
+    "found again",
+    "has seen",
+    "learnt",
+    "missed",
+    "notice",
+    "rules",
+    "stated",
+    "the rule",
+];
+
 /// What is not said, and what is said instead.
 pub const PHRASES: &[(Phrase, &str)] = &[
     // Classification

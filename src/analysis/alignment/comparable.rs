@@ -96,14 +96,8 @@ fn usable(subject: &Subject, group: Group<'_>) -> Result<(usize, SizeScale), Str
             group.first.sequence.face_count(),
         ));
     }
-    // Not looked for in the volumes: a subject without a cavity has a size too.
-    let end_diastole = subject.end_diastole.unwrap_or(0);
-    let points = sequence.pose(end_diastole).ok_or_else(|| {
-        format!(
-            "end-diastole is set to frame {end_diastole}, but there are {} frames",
-            sequence.frame_count()
-        )
-    })?;
+    let end_diastole = subject.start_frame();
+    let points = sequence.pose(end_diastole).unwrap_or_default();
     // Points that coincide would divide by zero.
     let scale = SizeScale::of_end_diastole(&points).ok_or_else(|| {
         format!("its size at end-diastole (frame {end_diastole}) is not measurable")

@@ -1,4 +1,4 @@
-//! Which rigid motion or similarity transports one pose onto another?
+//! Which rigid motion or similarity maps one pose onto another?
 //!
 //! For corresponding points, in closed form; reflections are never used. Sizes are made
 //! comparable by one isotropic scale per sequence, see [`SizeScale`].

@@ -2,11 +2,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::mesh::Point3;
+use crate::mesh::{Point3, mean_point};
 
 use super::{cross_covariance, rotation_from_covariance};
 
-/// The rigid motion x ↦ R x + t that transports source coordinates to target coordinates.
+/// The rigid motion x ↦ R x + t that maps source coordinates to target coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidMotion {
     /// R, with determinant +1.
@@ -15,7 +15,7 @@ pub struct RigidMotion {
     pub translation: Vector3<f64>,
 }
 
-/// The similarity x ↦ c R x + t that transports source coordinates to target coordinates.
+/// The similarity x ↦ c R x + t that maps source coordinates to target coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Similarity {
     /// c, positive or zero.
@@ -153,7 +153,8 @@ impl Fit {
         if source.is_empty() {
             return Err(AlignmentError::NoPoints);
         }
-        let (source_mean, target_mean) = (mean(source), mean(target));
+        let [source_mean, target_mean] =
+            [source, target].map(|points| mean_point(points.iter().copied()).coords);
         // Axis by axis, so that the sums run over neighbouring numbers in memory.
         let (s, t) = (axes(source), axes(target));
         let covariance = cross_covariance(
@@ -170,10 +171,6 @@ impl Fit {
             target_mean,
         })
     }
-}
-
-pub(super) fn mean(points: &[Point3]) -> Vector3<f64> {
-    points.iter().map(|p| p.coords).sum::<Vector3<f64>>() / points.len().max(1) as f64
 }
 
 fn axes(points: &[Point3]) -> [Vec<f64>; 3] {

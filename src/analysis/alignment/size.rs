@@ -2,9 +2,7 @@
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
-use crate::mesh::Point3;
-
-use super::procrustes::mean;
+use crate::mesh::{Point3, mean_point};
 
 /// The factor that a sequence's coordinates are divided by.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +43,7 @@ pub fn principal_box_sides(points: &[Point3]) -> Option<[f64; 3]> {
     if points.is_empty() {
         return None;
     }
-    let centre = mean(points);
+    let centre = mean_point(points.iter().copied()).coords;
     let reach = points
         .iter()
         .fold(0.0_f64, |m, p| m.max((p.coords - centre).amax()));

@@ -1,4 +1,4 @@
-//! The linear classifier on as many coordinates as do best, chosen without the case that is told.
+//! The linear classifier on as many coordinates as do best, chosen without the case that is classified.
 
 use super::linear_classifier::{LinearClassifier, Scratch};
 
@@ -11,7 +11,7 @@ const MAX_TESTED: usize = 200;
 
 /// Leave-one-out with a choice inside. The number of coordinates for the cases of each fifth is the one by which most of
 /// the other four fifths are right, each left out in turn; of equals the smallest. With it each case of the fifth is then
-/// told by the classifier trained on all others. So the label of a case has no say in how it is told.
+/// classified by the classifier trained on all others. So the label of a case has no say in how it is classified.
 pub(super) struct NestedClassifier {
     /// One for each number of coordinates.
     whole: Vec<LinearClassifier>,
@@ -19,8 +19,8 @@ pub(super) struct NestedClassifier {
 }
 
 struct Fold {
-    /// Cases that are told.
-    told: Vec<usize>,
+    /// Cases that are left out and classified.
+    left_out: Vec<usize>,
     /// Cases that choose.
     others: Vec<usize>,
     /// Of those that choose, one for each number of coordinates.
@@ -52,9 +52,9 @@ impl NestedClassifier {
                 Vec::new()
             } else {
                 (folds(points, width).into_iter())
-                    .map(|(told, others)| Fold {
+                    .map(|(left_out, others)| Fold {
                         choosers: of(&others),
-                        told,
+                        left_out,
                         others,
                     })
                     .collect()
@@ -71,7 +71,7 @@ impl NestedClassifier {
             return (self.folds.iter())
                 .map(|fold| {
                     let best = &right[fold.choice(classes, scratch)];
-                    fold.told.iter().filter(|case| best[**case]).count()
+                    fold.left_out.iter().filter(|case| best[**case]).count()
                 })
                 .sum();
         };
@@ -80,7 +80,7 @@ impl NestedClassifier {
 }
 
 impl Fold {
-    /// Which number of coordinates does best without the cases that are told.
+    /// Which number of coordinates does best without the cases that are left out.
     fn choice(&self, classes: &[usize], scratch: &mut Scratch) -> usize {
         let own: Vec<usize> = self.others.iter().map(|case| classes[*case]).collect();
         let step = own.len().div_ceil(MAX_TESTED).max(1);
@@ -104,13 +104,13 @@ fn folds(points: &[f64], width: usize) -> Vec<(Vec<usize>, Vec<usize>)> {
     along.sort_by(|a, b| points[a * width].total_cmp(&points[b * width]));
     (0..FOLDS.min(along.len()))
         .map(|fold| {
-            let (told, others): (Vec<_>, Vec<_>) = along
+            let (left_out, others): (Vec<_>, Vec<_>) = along
                 .iter()
                 .enumerate()
                 .partition(|(rank, _)| rank % FOLDS == fold);
             let cases =
                 |ranked: Vec<(usize, &usize)>| ranked.into_iter().map(|(_, case)| *case).collect();
-            (cases(told), cases(others))
+            (cases(left_out), cases(others))
         })
         .collect()
 }
@@ -155,12 +155,15 @@ mod tests {
     fn every_case_is_told_once_and_has_no_say_in_the_choice() {
         let (points, _) = told_late(23);
         let folds = folds(&points, 10);
-        let mut told: Vec<usize> = folds.iter().flat_map(|(told, _)| told.clone()).collect();
-        told.sort_unstable();
-        assert_eq!(told, (0..23).collect::<Vec<_>>());
-        for (told, others) in folds {
-            assert!(told.iter().all(|case| !others.contains(case)));
-            assert_eq!(told.len() + others.len(), 23);
+        let mut left_out: Vec<usize> = folds
+            .iter()
+            .flat_map(|(left_out, _)| left_out.clone())
+            .collect();
+        left_out.sort_unstable();
+        assert_eq!(left_out, (0..23).collect::<Vec<_>>());
+        for (left_out, others) in folds {
+            assert!(left_out.iter().all(|case| !others.contains(case)));
+            assert_eq!(left_out.len() + others.len(), 23);
         }
     }
 

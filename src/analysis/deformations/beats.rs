@@ -43,8 +43,7 @@ impl Beat {
 
 /// One beat per subject, in the order of the rows, which stand by subject and then by frame.
 ///
-/// A beat begins at end-diastole as stated by the subject, else at frame 0, like the size by which
-/// lengths are normalised.
+/// A beat begins at [`Subject::start_frame`], where the size by which lengths are normalised is taken.
 pub(super) fn beats(study: &Study, poses: &[PoseId]) -> Vec<Beat> {
     let mut first_row = 0;
     poses
@@ -52,9 +51,7 @@ pub(super) fn beats(study: &Study, poses: &[PoseId]) -> Vec<Beat> {
         .map(|of_subject| {
             let subject = of_subject[0].subject;
             let count = of_subject.len();
-            let stated = study.subjects.get(subject).and_then(|s| s.end_diastole);
-            // A stated frame past the end would otherwise leave the cycle without a beginning.
-            let begin = stated.unwrap_or(0) % count;
+            let begin = study.subjects.get(subject).map_or(0, |s| s.start_frame());
             let order = || (0..count).map(|step| (begin + step) % count);
             let beat = Beat {
                 subject,

@@ -12,6 +12,7 @@ use crate::analysis::transport::{
     CohortTransportParams, TransportAccount, TransportedCohort, transport_cohort,
 };
 use crate::mesh::Point3;
+use crate::numeric::median;
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Study, Subject, SurfaceSequence};
 
@@ -36,7 +37,7 @@ pub struct PartParams {
     pub transport: CohortTransportParams,
     /// Radius below which poses are smoothed before motions are compared, as in [`PoseDistanceParams`].
     pub smoothing: f64,
-    /// The same for end-diastolic shapes.
+    /// Radius below which poses are smoothed before end-diastolic shapes are compared.
     pub shape_smoothing: f64,
 }
 
@@ -125,7 +126,8 @@ impl PartDistances {
         transports: Vec<TransportAccount>,
     ) -> Self {
         Self {
-            medians: [&deformation, &shape].map(|matrix| median(matrix.upper())),
+            medians: [&deformation, &shape]
+                .map(|matrix| median(matrix.upper().to_vec()).unwrap_or(0.0)),
             subjects,
             deformation,
             shape,
@@ -154,8 +156,7 @@ impl PartDistances {
     /// Median of [`Self::shape_share`] over all pairs that differ; `None` where none do.
     pub fn median_shape_share(&self) -> Option<f64> {
         let pairs = (0..self.subjects.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-        let shares: Vec<f64> = pairs.filter_map(|(i, j)| self.shape_share(i, j)).collect();
-        (!shares.is_empty()).then(|| median(&shares))
+        median(pairs.filter_map(|(i, j)| self.shape_share(i, j)).collect())
     }
 
     fn weighted_squares(&self, weights: PartWeights, i: usize, j: usize) -> [f64; 2] {
@@ -235,10 +236,10 @@ fn leave_out_overflowing(cohort: &mut TransportedCohort) {
     });
 }
 
-/// The study with the end-diastolic pose of each subject alone.
+/// The study with the pose at the start frame of each subject alone.
 fn end_diastoles(study: &Study) -> Study {
     let at_end_diastole = |subject: &Arc<Subject>| {
-        let frame = subject.end_diastole.unwrap_or(0);
+        let frame = subject.start_frame();
         let surfaces = subject.sequence.surfaces().iter().map(|surface| {
             let mesh = surface.frames().get(frame)?.clone();
             SurfaceSequence::new(surface.kind(), vec![mesh]).ok()
@@ -251,7 +252,7 @@ fn end_diastoles(study: &Study) -> Study {
         }))
     };
     Study {
-        // A subject without that frame is refused where its motion is, with the reason.
+        // A frame that makes no sequence of its own is refused where its motion is, with the reason.
         subjects: (study.subjects.iter())
             .map(|subject| at_end_diastole(subject).unwrap_or_else(|| Arc::clone(subject)))
             .collect(),
@@ -263,14 +264,4 @@ fn end_diastoles(study: &Study) -> Study {
 fn share([deformation, shape]: [f64; 2]) -> Option<f64> {
     let both = deformation + shape;
     (both > 0.0).then(|| shape / both)
-}
-
-/// Of numbers in any order; 0 of none.
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    match sorted.len() {
-        0 => 0.0,
-        count => 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]),
-    }
 }

@@ -61,8 +61,8 @@ fn noisy_sequence(
 ) -> Result<MeshSequence, ExperimentError> {
     let sequence = &subject.sequence;
     let count = sequence.frame_count();
-    // Levels relative to displacement count from end-diastole.
-    let begin = subject.end_diastole.unwrap_or(0) % count;
+    // Levels relative to displacement count from here.
+    let begin = subject.start_frame();
     let from_rest: Vec<Vec<Point3>> = (0..count)
         .filter_map(|step| sequence.pose((begin + step) % count))
         .collect();

@@ -6,6 +6,7 @@ use crate::analysis::alignment::comparable_subjects;
 use crate::analysis::deformations::{Comparison, DeformationDistances};
 use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::analysis::transport::CohortTransportParams;
+use crate::numeric::median;
 use crate::progress::Progress;
 use crate::study::Study;
 
@@ -238,12 +239,13 @@ fn ranked(ids: &[&str], whole: &DeformationDistances) -> PartnerRanks {
             .collect();
         others.sort_by(f64::total_cmp);
         let count = others.len() as f64;
+        let middle = median(others.clone()).unwrap_or(0.0);
         for distance in partners.into_iter().map(|j| whole.distances.get(i, j)) {
             // Ties count against the partner, so that distances that are all equal give the last rank.
             let as_near = others.partition_point(|other| *other <= distance);
             found.pairs += 1;
             found.nearest += usize::from(as_near == 0);
-            found.nearer_than_median += usize::from(distance < median(&others));
+            found.nearer_than_median += usize::from(distance < middle);
             // One of count + 1 places, all equally likely.
             found.nearest_by_chance += 1.0 / (count + 1.0);
             ranks += 1.0 + as_near as f64;
@@ -257,14 +259,6 @@ fn ranked(ids: &[&str], whole: &DeformationDistances) -> PartnerRanks {
     let count = ids.len() * ids.len().saturating_sub(1) / 2;
     found.mean_distance = distances.sum::<f64>() / count.max(1) as f64;
     found
-}
-
-/// Of ascending numbers; 0 of none.
-fn median(sorted: &[f64]) -> f64 {
-    match sorted.len() {
-        0 => 0.0,
-        count => 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]),
-    }
 }
 
 #[cfg(test)]

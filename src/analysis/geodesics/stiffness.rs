@@ -141,7 +141,7 @@ fn solve_in_time(values: &mut [f64], size: usize) {
     }
 }
 
-/// Factor of the regulariser that counts by area, as the metric has it.
+/// Factor of the regulariser that is area-weighted, as the metric has it.
 fn displacement(params: &CheckedMetricParams, total_area: f64) -> f64 {
     match params.corners {
         Corners::ScaleFree => params.lambda * 4.0 * std::f64::consts::PI / total_area,

@@ -179,10 +179,10 @@ pub fn phases_of(
     subject: &Subject,
     measures: Option<&SubjectMeasures>,
 ) -> (Option<usize>, Option<usize>) {
-    let stated = |frame: Option<usize>| frame.filter(|&at| at < subject.sequence.frame_count());
+    let (end_diastole, end_systole) = subject.stated_phases();
     (
-        stated(subject.end_diastole).or(measures.and_then(|known| known.end_diastole)),
-        stated(subject.end_systole).or(measures.and_then(|known| known.end_systole)),
+        end_diastole.or(measures.and_then(|known| known.end_diastole)),
+        end_systole.or(measures.and_then(|known| known.end_systole)),
     )
 }
 
@@ -203,9 +203,7 @@ fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
             .max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)))
             .map(|&(frame, _)| frame)
     };
-    // A stated frame past the end is as if nothing had been stated.
-    let stated = |frame: Option<usize>| frame.filter(|&frame| frame < count);
-    let (stated_ed, stated_es) = (stated(subject.end_diastole), stated(subject.end_systole));
+    let (stated_ed, stated_es) = subject.stated_phases();
     if stated_ed.is_some() || stated_es.is_some() {
         measured.phase_source = PhaseSource::Stated;
     }

@@ -146,8 +146,7 @@ impl<'a> SubjectGeometry<'a> {
             sizes.epi = sizes.epi.or(of_wall.epi);
             sizes.wall_volume = of_wall.wall_volume;
         } else if let (Some(endo), Some(epi)) = (sizes.endo, sizes.epi) {
-            // An outer surface that holds less than the inner one is no wall.
-            sizes.wall_volume = Some(epi.volume - endo.volume).filter(|&volume| volume > 0.0);
+            sizes.wall_volume = volume_between(endo, epi);
         }
         sizes
     }
@@ -228,11 +227,16 @@ impl<'a> Wall<'a> {
                 FrameVolumes {
                     endo: Some(endo),
                     epi: Some(epi),
-                    wall_volume: Some(epi.volume - endo.volume).filter(|&volume| volume > 0.0),
+                    wall_volume: volume_between(endo, epi),
                 }
             }
         }
     }
+}
+
+/// `None` where the outer surface holds less than the inner one, which is no wall.
+fn volume_between(endo: SurfaceSize, epi: SurfaceSize) -> Option<f64> {
+    Some(epi.volume - endo.volume).filter(|&volume| volume > 0.0)
 }
 
 /// The inner side of a wall at its first frame: the part of a closed sheet that looks into the cavity, or the inner one of two sheets.

@@ -13,10 +13,10 @@ use crate::mesh::{Point3, vertex_areas, vertex_normals};
 const RATIO: f64 = std::f64::consts::SQRT_2;
 
 /// Noise, in sides of the square that a vertex has to itself, from which areas and angles are those of noise: a vertex
-/// off by a seventh of its side turns its faces by some ten degrees. Of that order, and not tuned …
+/// off by a seventh of its side turns its faces by some ten degrees. Of that order, and not tuned.
 const ROUGH: f64 = 0.15;
 
-/// … and how often at most they are then taken from the surfaces smoothed before: a bound on time. Not tuned.
+/// How often at most areas and angles are taken from the surfaces smoothed before: a bound on time. Not tuned.
 const PASSES: usize = 8;
 
 /// How the surfaces of all poses are smoothed.

@@ -22,10 +22,10 @@ const HARDLY_ROUGH: f64 = 0.005;
 const MAX_LENGTH: f64 = 1.5;
 
 /// Noise makes walls look thin. Where they are so many times as thick without it, longer lengths are tried as well: below a
-/// quarter more, lengths that are tried, √2 apart, would hardly be others. Not tuned …
+/// quarter more, lengths that are tried, √2 apart, would hardly be others. Not tuned.
 const THICKER: f64 = 1.25;
 
-/// … so many times in all: a bound on time, each round smooths two poses again. Not tuned.
+/// How many times longer lengths are tried in all: a bound on time, each round smooths two poses again. Not tuned.
 const ROUNDS: usize = 3;
 
 /// What is known of a wall's poses before spheres are fitted into it.

@@ -54,6 +54,13 @@ pub struct MedialSurface {
     pub end: Vec<Option<EndSpoke>>,
 }
 
+impl MedialSurface {
+    /// Positions of the atoms.
+    pub fn positions(&self) -> Vec<Point3> {
+        self.atoms.iter().map(|atom| atom.position).collect()
+    }
+}
+
 /// Middle of the wall over the beat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MedialBeat {

@@ -1,20 +1,19 @@
 //! The paths of one subject: one per patch, or that of all that is akinetic.
 
-use crate::analysis::medial::MedialBeat;
+use crate::analysis::medial::{MedialBeat, MedialSurface};
 use crate::analysis::segments::LongAxis;
 use crate::analysis::thickening::Thickening;
-use crate::mesh::Point3;
 
 use super::placement::{Frame, Placement};
 use super::result::{AkineticPart, AkineticPath, NotMapped, PathStep, SubjectPaths};
 
 /// Paths of the poses of one subject: one for each patch, from all of its atoms at every step (4.6.2); where there is
-/// no patch, that of M̂, as the method has it (4.5). M̂ is another set in every step: all of the wall where even a well
-/// one hardly changes, as in diastasis, and little or nothing in contraction. So its path goes far, unless
-/// all of the wall is still in every step, as in a subject that hardly thickens at all.
+/// no patch, that of M̂, as the method has it (4.5). M̂ is another set in every step: all of the wall where even remote
+/// myocardium hardly changes, as in diastasis, and little or nothing in contraction. So its path goes far, unless
+/// all of the wall is akinetic in every step, as in a subject that hardly thickens at all.
 ///
 /// # Errors
-/// If nothing is still in any step, or the subject has no extent.
+/// If nothing is akinetic in any step, or the subject has no extent.
 pub fn subject_paths(
     beat: &MedialBeat,
     found: &Thickening,
@@ -52,12 +51,12 @@ pub fn subject_paths(
         patches.map(path_of).collect()
     };
     if paths.iter().all(|path| path.steps.is_empty()) {
-        return Err(NotMapped::NothingStill {
+        return Err(NotMapped::NothingAkinetic {
             steps: found.steps.len(),
         });
     }
-    let centres: Vec<Point3> = (beat.frames.get(found.end_diastole))
-        .map(|rest| rest.atoms.iter().map(|atom| atom.position).collect())
+    let centres = (beat.frames.get(found.end_diastole))
+        .map(MedialSurface::positions)
         .unwrap_or_default();
     // In all frames: which one all subjects share is known only when all are there.
     let placements = Frame::ALL.map(|frame| Placement::new(frame, axis, &centres));

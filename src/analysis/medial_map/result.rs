@@ -60,7 +60,7 @@ pub struct SubjectPaths {
 pub enum NotMapped {
     /// All of the wall changes in every step.
     #[error("no atom is akinetic in any of {steps} steps")]
-    NothingStill {
+    NothingAkinetic {
         /// Steps of the beat.
         steps: usize,
     },

@@ -8,7 +8,7 @@ use crate::analysis::measures::measure_subject;
 use crate::analysis::medial::{MedialBeat, MedialParams, medial_beat};
 use crate::analysis::medial_space::{PoseDescriptor, pose_distance};
 use crate::analysis::segments::{LongAxis, long_axis};
-use crate::analysis::thickening::{Extent, Thickening, ThickeningParams, thickening};
+use crate::analysis::thickening::{Thickening, ThickeningParams, WallThickening, thickening};
 use crate::mesh::{Point3, Vector3};
 use crate::progress::{Progress, Stopped};
 use crate::study::Subject;
@@ -69,23 +69,23 @@ fn poses_that_differ_by_place_alone_lie_at_their_distance_in_sizes_of_the_heart(
         assert!((map.distances.get(i, j) - distance).abs() < 1e-12);
     }
     assert!(map.embedding.stress.unwrap() < 1e-9);
-    let told: Vec<_> = map.spreads.iter().map(|s| s.mean_distance).collect();
-    assert!((told[0].unwrap() - 0.3).abs() < 1e-12 && told[1].is_none());
+    let distances: Vec<_> = map.spreads.iter().map(|s| s.mean_distance).collect();
+    assert!((distances[0].unwrap() - 0.3).abs() < 1e-12 && distances[1].is_none());
 }
 
 #[test]
 fn the_least_known_heart_says_in_which_axes_all_are_compared() {
     let lying = LongAxis::new(Point3::origin(), Point3::new(9.0, 0.0, 0.0), Vector3::z()).unwrap();
-    let told = LongAxis::oriented(lying.apex, lying.base, Vector3::z(), Vector3::y()).unwrap();
+    let oriented = LongAxis::oriented(lying.apex, lying.base, Vector3::z(), Vector3::y()).unwrap();
     let steps = [
         pose(Point3::origin(), Vector3::x()),
         pose(Point3::origin(), Vector3::y()),
     ];
     let hearts = |axes: [Option<&LongAxis>; 2]| axes.map(|axis| Ok(heart(&steps, axis)));
     for (axes, frame) in [
-        ([Some(&told), Some(&told)], Frame::Anatomical),
-        ([Some(&told), Some(&lying)], Frame::LongAxis),
-        ([Some(&told), None], Frame::Files),
+        ([Some(&oriented), Some(&oriented)], Frame::Anatomical),
+        ([Some(&oriented), Some(&lying)], Frame::LongAxis),
+        ([Some(&oriented), None], Frame::Files),
     ] {
         let map = mapped(&hearts(axes)).unwrap();
         assert_eq!(map.frame, frame);
@@ -98,7 +98,7 @@ fn the_least_known_heart_says_in_which_axes_all_are_compared() {
         assert!((normal - base).norm() < 1e-12, "{frame:?} {normal}");
     }
     // Septum to x and the anterior wall to y.
-    let normal = mapped(&hearts([Some(&told); 2])).unwrap().poses[1]
+    let normal = mapped(&hearts([Some(&oriented); 2])).unwrap().poses[1]
         .descriptor
         .normal;
     assert!((normal.unwrap() - Vector3::y()).norm() < 1e-12);
@@ -195,13 +195,15 @@ fn each_patch_has_its_path_and_hearts_without_one_wander() {
     assert!(hearts.iter().any(|heart| heart.found.patches.len() > 1));
     // "The poses of the abnormal subject have roughly the same ANV and MP" (4.7).
     let spreads = |patch: bool| -> Vec<f64> {
-        let mut told: Vec<f64> = (map.spreads.iter())
+        let mut distances: Vec<f64> = (map.spreads.iter())
             .filter(|spread| spread.part.patch().is_some() == patch)
-            .filter(|spread| patch || hearts[spread.subject].found.extent == Extent::Everywhere)
+            .filter(|spread| {
+                patch || hearts[spread.subject].found.wall_thickening == WallThickening::Everywhere
+            })
             .filter_map(|spread| spread.mean_distance)
             .collect();
-        told.sort_by(f64::total_cmp);
-        told
+        distances.sort_by(f64::total_cmp);
+        distances
     };
     let (patches, others) = (spreads(true), spreads(false));
     let (widest, middle) = (patches[patches.len() - 1], others[others.len() / 2]);
@@ -265,5 +267,5 @@ fn steps_in_which_nothing_is_still_are_left_out_and_a_heart_without_any_says_so(
         step.descriptor = None;
     }
     let reason = subject_paths(&heart.beat, &heart.found, None).unwrap_err();
-    assert_eq!(reason, NotMapped::NothingStill { steps: 8 });
+    assert_eq!(reason, NotMapped::NothingAkinetic { steps: 8 });
 }

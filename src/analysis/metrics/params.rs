@@ -11,11 +11,34 @@ pub enum Form {
     /// Sums of products of the same terms, curvature change as a factor; quasi-conformal for one-step
     /// distances only, since the factor depends on the field.
     Bilinear,
-    /// Curvature weights frozen for the pair of poses: an inner product for that pair.
+    /// Curvature weights of the two poses of a pair, which are then given: with them an inner product, with others another.
     Frozen,
-    /// Angle term plus μ times the curvature-change term: an inner product everywhere.
+    /// Sums of products, of the quasi-conformal metric the angle term plus μ times the curvature-change term: an inner
+    /// product everywhere. The form of metrics of lengths and of displacements, too, which have no other.
     #[default]
     Additive,
+}
+
+impl Form {
+    /// Name in files, in running text and as a value of `--form`.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Printed => "printed",
+            Self::Bilinear => "bilinear",
+            Self::Frozen => "frozen",
+            Self::Additive => "additive",
+        }
+    }
+
+    /// Name in the window.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Printed => "As printed",
+            Self::Bilinear => "Bilinear",
+            Self::Frozen => "Frozen weights",
+            Self::Additive => "Additive",
+        }
+    }
 }
 
 /// What a metric uses curvature for.
@@ -46,7 +69,7 @@ impl CurvatureRole {
 pub enum Corners {
     /// As printed: grows with the fourth power of size.
     Raw,
-    /// Divided by |pq|²|pr|²: size does not matter.
+    /// Divided by |pq|²|pr|²: scale-invariant.
     #[default]
     ScaleFree,
 }

@@ -104,7 +104,7 @@ fn normalised((subject, frame): (&Subject, usize)) -> Result<Vec<Point3>, PairEr
         })
     };
     // Size is that of end-diastole at every frame: contraction is not normalised away.
-    let rest = pose(subject.end_diastole.unwrap_or(0))?;
+    let rest = pose(subject.start_frame())?;
     let scale = SizeScale::of_end_diastole(&rest).ok_or_else(|| PairError::NoSize {
         subject: subject.id.clone(),
     })?;

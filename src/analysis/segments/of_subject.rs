@@ -130,7 +130,7 @@ fn found(
     LongAxis::new(apex, base, vertices[*first as usize] - base).ok_or(none)
 }
 
-/// Area-weighted centroid of triangles; the origin without area.
+/// Area-weighted centroid of triangles; the origin of no area.
 fn area_centroid(vertices: &[Point3], triangles: &[[u32; 3]]) -> Point3 {
     let areas = vertex_areas(vertices, triangles);
     let whole: f64 = areas.iter().sum();

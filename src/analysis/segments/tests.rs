@@ -84,9 +84,9 @@ fn with_landmarks_septum_is_left_and_anterior_up() {
 
 #[test]
 fn without_directions_only_levels_are_told() {
-    let told = inner_places(&shells(), 0).unwrap();
-    assert!(told.segments.iter().all(Option::is_none));
-    assert!(told.levels.iter().all(Option::is_some));
+    let places = inner_places(&shells(), 0).unwrap();
+    assert!(places.segments.iter().all(Option::is_none));
+    assert!(places.levels.iter().all(Option::is_some));
     let mut heart = shells();
     heart.anatomy = Some(landmarks());
     let named = inner_places(&heart, 0).unwrap();
@@ -165,7 +165,7 @@ fn a_quantity_that_is_constant_has_that_mean_and_gaps_do_not_count() {
         Vector3::y(),
     )
     .unwrap();
-    let told = places(&axis, bowl.vertices());
+    let places = places(&axis, bowl.vertices());
     let weights = vertex_areas(bowl.vertices(), bowl.triangles());
     near(
         weights.iter().sum(),
@@ -173,19 +173,19 @@ fn a_quantity_that_is_constant_has_that_mean_and_gaps_do_not_count() {
     );
     let mut values = vec![7.5; weights.len()];
     values[40] = f64::NAN;
-    for mean in segment_means(&told.segments, &weights, &values) {
+    for mean in segment_means(&places.segments, &weights, &values) {
         near(mean.unwrap(), 7.5);
     }
     // On a sphere area is even in z, so that the mean height of a third is its middle.
     let heights: Vec<f64> = bowl.vertices().iter().map(|p| -p.z / 20.0).collect();
-    let levels = level_means(&told.levels, &weights, &heights);
+    let levels = level_means(&places.levels, &weights, &heights);
     for (level, middle) in levels
         .iter()
         .zip([1.0 / 6.0, 0.5, 0.5 * (2.0 / 3.0 + 0.94), 0.97])
     {
         assert!((level.unwrap() - middle).abs() < 0.03, "{levels:?}");
     }
-    let none = segment_means(&told.segments, &vec![0.0; weights.len()], &values);
+    let none = segment_means(&places.segments, &vec![0.0; weights.len()], &values);
     assert!(none.iter().all(Option::is_none));
 }
 
@@ -212,8 +212,8 @@ fn thickening_of_a_segment_is_that_of_its_means_over_what_both_phases_tell() {
 fn a_bowl_fills_the_disc_and_no_face_is_dropped() {
     let bowl = phantom::bowl(20.0, 60, 120);
     let axis = LongAxis::new(Point3::new(0.0, 0.0, -20.0), Point3::origin(), Vector3::x()).unwrap();
-    let told = places(&axis, bowl.vertices());
-    let map = flat_map(&told.polar, bowl.vertices(), bowl.triangles());
+    let places = places(&axis, bowl.vertices());
+    let map = flat_map(&places.polar, bowl.vertices(), bowl.triangles());
     assert!(map.dropped.is_empty());
     let flat: Vec<Point3> = (map.points.iter())
         .map(|p| Point3::new(p[0], p[1], 0.0))
@@ -227,7 +227,7 @@ fn a_bowl_fills_the_disc_and_no_face_is_dropped() {
         .map(|&[a, b, c]| [a, c, b])
         .collect();
     assert!(
-        flat_map(&told.polar, bowl.vertices(), &turned)
+        flat_map(&places.polar, bowl.vertices(), &turned)
             .dropped
             .is_empty()
     );
@@ -237,11 +237,11 @@ fn a_bowl_fills_the_disc_and_no_face_is_dropped() {
 fn a_face_folded_over_its_neighbours_is_dropped() {
     let bowl = phantom::bowl(20.0, 10, 20);
     let axis = LongAxis::new(Point3::new(0.0, 0.0, -20.0), Point3::origin(), Vector3::x()).unwrap();
-    let mut told = places(&axis, bowl.vertices());
+    let mut places = places(&axis, bowl.vertices());
     // A vertex of the fifth ring is drawn at the base on the other side.
-    told.polar[100].angle_rad += PI;
-    told.polar[100].radius = 1.0;
-    let map = flat_map(&told.polar, bowl.vertices(), bowl.triangles());
+    places.polar[100].angle_rad += PI;
+    places.polar[100].radius = 1.0;
+    let map = flat_map(&places.polar, bowl.vertices(), bowl.triangles());
     assert!(!map.dropped.is_empty() && map.dropped.len() <= 6);
     assert_eq!(map.dropped.len() + map.faces.len(), bowl.triangles().len());
 }
@@ -280,9 +280,9 @@ fn segments_of_the_built_in_cohort_are_those_of_its_truth() {
     let built = cohort(&BuiltInParams::default()).unwrap();
     let (mut agree, mut named) = (0, 0);
     for (heart, truth) in built.study.subjects.iter().zip(&built.truths) {
-        let told = inner_places(heart, 0).unwrap();
+        let places = inner_places(heart, 0).unwrap();
         let mut counts = [[0_usize; 2]; Segment::COUNT];
-        for (segment, &patch) in told.segments.iter().zip(&truth.surfaces[0].patch) {
+        for (segment, &patch) in places.segments.iter().zip(&truth.surfaces[0].patch) {
             let count = &mut counts[segment.unwrap().index()];
             count[0] += 1;
             count[1] += usize::from(patch > 0);
@@ -322,9 +322,10 @@ fn what_has_no_base_is_refused_and_damage_does_no_harm() {
     ];
     let single = TriMesh::new(points, faces()).unwrap();
     let single = subject(vec![(SurfaceKind::Endocardium, vec![single])]);
-    let told = inner_places(&single, 0).unwrap();
+    let places = inner_places(&single, 0).unwrap();
     assert!(
-        told.polar
+        places
+            .polar
             .iter()
             .all(|p| p.radius.is_finite() && p.angle_rad.is_finite())
     );
@@ -332,6 +333,6 @@ fn what_has_no_base_is_refused_and_damage_does_no_harm() {
     let point = subject(vec![(SurfaceKind::Endocardium, vec![point])]);
     assert!(long_axis(&point, 0).is_err());
     assert!(LongAxis::new(Point3::origin(), Point3::new(0.0, 0.0, 1.0), Vector3::z()).is_none());
-    let map = flat_map(&told.polar, &[Point3::origin(); 3], &[[0, 1, 2]]);
+    let map = flat_map(&places.polar, &[Point3::origin(); 3], &[[0, 1, 2]]);
     assert_eq!(map.faces.len() + map.dropped.len(), 1);
 }

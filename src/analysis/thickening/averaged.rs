@@ -8,9 +8,9 @@ use super::params::CheckedThickeningParams;
 use super::regions::{REMOTE_QUANTILE, area_quantile};
 use super::surface::Surface;
 
-/// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above …
+/// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above [`MAX_NOISE`].
 const MAX_AVERAGING: f64 = 4.0;
-/// … this share of what remote myocardium does: twice as much stays below the distance, a tenth, from the core's default
+/// Noise of averaged thickening that is small enough, as a share of what remote myocardium does: twice as much stays below the distance, a tenth, from the core's default
 /// limit to what thickens least in normal subjects, the apex. More averaging blurs small patches away. Not tuned beyond that.
 const MAX_NOISE: f64 = 0.05;
 /// Least thickening of remote myocardium, in standard deviations of averaged noise, that is thickening at all.

@@ -5,7 +5,6 @@ use crate::analysis::segments::{
     GroupThickening, Level, Segment, level_means, level_thickening, segment_means,
     segment_thickening,
 };
-use crate::mesh::Point3;
 
 use super::diffusion::RegularMesh;
 use super::result::Thickening;
@@ -64,9 +63,7 @@ struct AtomValues {
 
 impl AtomValues {
     fn new(beat: &MedialBeat, found: &Thickening) -> Self {
-        let centres: Vec<Point3> = (beat.frames[found.end_diastole].atoms.iter())
-            .map(|atom| atom.position)
-            .collect();
+        let centres = beat.frames[found.end_diastole].positions();
         let mesh = RegularMesh::new(beat.faces.triangles(), &centres, &beat.regular);
         let thickness = |pose: usize| {
             let atoms = &beat.frames[pose].atoms;

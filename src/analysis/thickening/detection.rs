@@ -36,11 +36,14 @@ pub(super) fn smallest_detectable(
         return None;
     }
     // The core must stay below its limit although noise may lift it.
-    let core = params.core.min(params.akinetic / found.remote) - SURE * found.noise / found.remote;
+    let core = params
+        .core_threshold
+        .min(params.akinetic_threshold / found.remote)
+        - SURE * found.noise / found.remote;
     let enough = |area: f64| {
         let profile = Profile::new(area, found.share);
         profile.area_below(core) >= CORE_AREA * found.min_share
-            && profile.area_below(params.extent) >= found.min_share
+            && profile.area_below(params.extent_threshold) >= found.min_share
     };
     if !enough(LARGEST) {
         return None;

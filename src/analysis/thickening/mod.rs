@@ -22,16 +22,16 @@ mod temporal_consistency;
 mod tests;
 #[expect(
     clippy::module_inception,
-    reason = "the room's main function carries the room's name"
+    reason = "the folder's main function carries the folder's name"
 )]
 mod thickening;
 
 pub use by_place::{PlaceThickening, thickening_of_levels, thickening_of_segments};
 pub use error::ThickeningError;
-pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
+pub use params::{AKINETIC_PT, CheckedThickeningParams, ThickeningParamError, ThickeningParams};
 pub use result::{
-    Extent, HalfBeat, Patch, PatchSegment, SmallestPatch, TemporalConsistency, Thickening,
-    ThickeningStep,
+    HalfBeat, Patch, PatchSegment, SmallestPatch, TemporalConsistency, Thickening, ThickeningStep,
+    WallThickening,
 };
 pub use steps::{half_beat_of, thickness_ratios};
 pub use surface::phases;

@@ -4,6 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::analysis::medial_space::RatioForm;
 
+/// PT from end-diastole to end-systole below which a wall is akinetic, thickening of 10 %: "roughly equal to one" (4.4).
+pub const AKINETIC_PT: f64 = 1.1;
+
 /// Settings of the search for the part of the wall that does not thicken;
 /// [`ThickeningParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -14,14 +17,16 @@ pub struct ThickeningParams {
     pub tolerance: Option<f64>,
     /// What r̂ of a descriptor is made of.
     pub ratio: RatioForm,
-    /// A patch has a core that thickens over the beat by less than this share of what remote myocardium does …
-    pub core: f64,
-    /// … and by less than this in ln PT from end-diastole to end-systole: "roughly equal to one".
+    /// Core threshold: the core of a patch thickens over the beat by less than this share of what remote myocardium does.
+    #[serde(rename = "core")]
+    pub core_threshold: f64,
+    /// Akinetic threshold: the core also thickens by less than this, ln PT from end-diastole to end-systole.
     #[serde(rename = "still")]
-    pub akinetic: f64,
-    /// It reaches as far as the wall thickens by less than this share of what remote myocardium does.
+    pub akinetic_threshold: f64,
+    /// Extent threshold: a patch reaches as far as the wall thickens by less than this share of what remote myocardium
+    /// does.
     #[serde(rename = "border")]
-    pub extent: f64,
+    pub extent_threshold: f64,
     /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
     /// both are doubled where there are fewer than four poses.
     #[serde(rename = "least_share")]
@@ -41,17 +46,17 @@ pub struct ThickeningParams {
 impl Default for ThickeningParams {
     /// Chosen on the built-in cohort and the labels of ACDC as wholes, not on single subjects. In the cohort (23 subjects, 2,450
     /// vertices) patches thicken by 0.05 to 0.2 of remote myocardium, the apex of normal subjects by 0.3 and that of
-    /// hypertrophic ones by 0.2; the extent threshold between is where a patch ends by half. `akinetic` keeps normal
+    /// hypertrophic ones by 0.2; the extent threshold between is where a patch ends by half. `akinetic_threshold` keeps normal
     /// subjects of ACDC, which thicken unevenly but everywhere (median PT 1.8), from having patches.
     fn default() -> Self {
         Self {
             tolerance: None,
             ratio: RatioForm::GeometricMean,
-            core: 0.2,
-            akinetic: 1.1_f64.ln(),
-            extent: 0.4,
+            core_threshold: 0.2,
+            akinetic_threshold: AKINETIC_PT.ln(),
+            extent_threshold: 0.4,
             min_share: 0.02,
-            min_thickening: 1.1_f64.ln(),
+            min_thickening: AKINETIC_PT.ln(),
             smoothing: 0.01,
             redraws: 50,
             seed: 2009,
@@ -107,9 +112,9 @@ impl ThickeningParams {
     pub fn check(self) -> Result<CheckedThickeningParams, ThickeningParamError> {
         let ranges = [
             ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),
-            ("core threshold", self.core, 0.0, 1.0),
-            ("akinetic threshold", self.akinetic, 0.0, 2.0),
-            ("extent threshold", self.extent, 0.0, 1.0),
+            ("core threshold", self.core_threshold, 0.0, 1.0),
+            ("akinetic threshold", self.akinetic_threshold, 0.0, 2.0),
+            ("extent threshold", self.extent_threshold, 0.0, 1.0),
             ("minimum area of a patch", self.min_share, 0.0, 0.5),
             ("minimum thickening", self.min_thickening, 0.0, 2.0),
             ("smoothing", self.smoothing, 0.0, 0.5),
@@ -131,10 +136,10 @@ impl ThickeningParams {
             }
         }
         // A region is grown from its core: the core must be part of it.
-        if self.extent < self.core {
+        if self.extent_threshold < self.core_threshold {
             return Err(ThickeningParamError::Order {
-                core: self.core,
-                extent: self.extent,
+                core: self.core_threshold,
+                extent: self.extent_threshold,
             });
         }
         Ok(CheckedThickeningParams(self))

@@ -9,7 +9,7 @@ use super::surface::Surface;
 /// three fifths of the wall it is the median of what is left.
 pub(super) const REMOTE_QUANTILE: f64 = 0.8;
 
-/// Value below which a share of the area lies; 0 without area.
+/// Value below which a share of the area lies; 0 of no area.
 pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
     let mut order: Vec<usize> = (0..values.len()).filter(|&i| areas[i] > 0.0).collect();
     order.sort_unstable_by(|&i, &j| values[i].total_cmp(&values[j]).then(i.cmp(&j)));
@@ -45,10 +45,12 @@ pub(super) fn akinetic_regions(
         ..
     } = surface;
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
-        .map(|(&value, &area)| area > 0.0 && value <= params.extent * remote)
+        .map(|(&value, &area)| area > 0.0 && value <= params.extent_threshold * remote)
         .collect();
     // The absolute limit guards against calling a moderately thickening part akinetic beside a very good rest.
-    let core = params.akinetic.min(params.core * remote);
+    let core = params
+        .akinetic_threshold
+        .min(params.core_threshold * remote);
     let area_of = |part: &[u32], counts: &dyn Fn(usize) -> bool| -> f64 {
         (part.iter().map(|&atom| atom as usize))
             .filter(|&atom| counts(atom))

@@ -30,9 +30,9 @@ pub struct ThickeningStep {
     /// contraction, below one in expansion, by more than the tolerance.
     pub remote_share: f64,
     /// Whether remote myocardium changes in this step by more than twice the tolerance: where even it
-    /// hardly moves, as in diastasis, all of it is still and M̂ tells nothing.
+    /// hardly moves, as in diastasis, all of it is akinetic and M̂ tells nothing.
     pub telling: bool,
-    /// (x̄, r̂, ρ, N̄) of M̂ at t₁; `None` where nothing is still.
+    /// (x̄, r̂, ρ, N̄) of M̂ at t₁; `None` where nothing is akinetic.
     pub descriptor: Option<PoseDescriptor>,
     /// From x̄ (MP) to the medial surface at t₁, in sizes of the subject.
     pub gap: Option<f64>,
@@ -71,7 +71,7 @@ pub struct Patch {
     pub atoms: Vec<u32>,
     /// Area on the medial surface at end-diastole, in the square of the coordinates' unit.
     pub area: f64,
-    /// The same in cm²; `None` where the unit of coordinates is not known.
+    /// Area in cm²; `None` where the unit of coordinates is not known.
     pub area_cm2: Option<f64>,
     /// Share of the regular medial surface, 0..=1.
     pub share: f64,
@@ -93,7 +93,7 @@ pub struct Patch {
 
 /// What the whole wall does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Extent {
+pub enum WallThickening {
     /// All of it thickens.
     Everywhere,
     /// All but the patches.
@@ -102,14 +102,14 @@ pub enum Extent {
     HardlyAnywhere,
 }
 
-/// The smallest patch that would have been found for sure.
+/// The smallest patch that is detected in 39 of 40 subjects like this one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallestPatch {
     /// Share of the regular medial surface, 0..=1.
     pub share: f64,
     /// Area on the medial surface at end-diastole, in the square of the coordinates' unit.
     pub area: f64,
-    /// The same in cm²; `None` where the unit of coordinates is not known.
+    /// Area in cm²; `None` where the unit of coordinates is not known.
     pub area_cm2: Option<f64>,
 }
 
@@ -150,12 +150,12 @@ pub struct Thickening {
     pub regular_area: f64,
     /// Largest side of the box of the medial surface at end-diastole: the subject's size.
     pub size: f64,
-    /// The smallest round patch without any thickening that would have been found in 39 of 40 subjects like this one, given
+    /// The smallest round patch without any thickening that is detected in 39 of 40 subjects like this one, given
     /// the noise of its thickening, the area that it is averaged over and its atoms; smaller ones may be there unseen. `None` where noise hides
     /// even a patch of three fifths, or hardly anything thickens.
     pub smallest: Option<SmallestPatch>,
     /// What the whole wall does.
-    pub extent: Extent,
+    pub wall_thickening: WallThickening,
     /// By falling area.
     pub patches: Vec<Patch>,
 }

@@ -33,7 +33,7 @@ impl Surface {
         let middle = mean_shape(beat);
         let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
         let phases = phases(beat, measures);
-        let rest = positions(beat, phases[0]);
+        let rest = beat.frames[phases[0]].positions();
         let at_end_diastole = RegularMesh::new(beat.faces.triangles(), &rest, &beat.regular);
         if !(mesh.whole > 0.0 && at_end_diastole.whole > 0.0) {
             return Err(ThickeningError::NoArea);
@@ -58,7 +58,7 @@ impl Surface {
     /// Areas at end-diastole without what noise adds: it makes faces larger, most where atoms stand close, and so draws
     /// centroids there. Where positions are rough, areas are those of positions smoothed as thickening is, 2 D − D², which keeps curvature.
     pub fn steady(&mut self, beat: &MedialBeat, diffusion: &Diffusion) {
-        let raw = positions(beat, self.phases[0]);
+        let raw = beat.frames[self.phases[0]].positions();
         let columns = |points: &[Vector3]| -> Vec<f64> {
             (0..3)
                 .flat_map(|axis| points.iter().map(move |point| point[axis]))
@@ -124,14 +124,6 @@ fn at_edge(beat: &MedialBeat, middle: &[Point3]) -> Vec<bool> {
     distances.iter().map(|distance| *distance < width).collect()
 }
 
-fn positions(beat: &MedialBeat, pose: usize) -> Vec<Point3> {
-    beat.frames[pose]
-        .atoms
-        .iter()
-        .map(|atom| atom.position)
-        .collect()
-}
-
 /// Mean position of each atom over the beat, whose edges have less noise than those of a pose.
 fn mean_shape(beat: &MedialBeat) -> Vec<Point3> {
     let mut sums = vec![Vector3::zeros(); beat.faces.vertex_count()];
@@ -158,7 +150,7 @@ pub fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
             let area = |pose: usize| {
                 RegularMesh::new(
                     beat.faces.triangles(),
-                    &positions(beat, pose),
+                    &beat.frames[pose].positions(),
                     &beat.regular,
                 )
                 .whole

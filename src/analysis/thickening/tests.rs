@@ -97,7 +97,7 @@ const SIDE: Vector3 = Vector3::new(0.8, 0.0, -0.6);
 fn a_wall_that_thickens_evenly_has_no_patch_and_the_curve_is_its_own() {
     let beat = beat(&CURVE, |_| WELL);
     let found = found(&beat);
-    assert_eq!(found.extent, Extent::Everywhere);
+    assert_eq!(found.wall_thickening, WallThickening::Everywhere);
     assert!(found.patches.is_empty());
     assert!((found.remote - WELL).abs() < 1e-12 && found.noise < 1e-12);
     assert!((found.tolerance - 1.05_f64.ln()).abs() < 1e-15);
@@ -128,7 +128,7 @@ fn a_patch_is_found_where_it_is_with_its_area_and_steady_path() {
     for (radius, most_off) in [(0.35, 0.06), (0.6, 0.04), (0.9, 0.03)] {
         let beat = beat(&CURVE, patch_at(SIDE, radius));
         let found = found(&beat);
-        assert_eq!(found.extent, Extent::AllButPatches);
+        assert_eq!(found.wall_thickening, WallThickening::AllButPatches);
         let [patch] = found.patches.as_slice() else {
             panic!("{radius}")
         };
@@ -184,7 +184,7 @@ fn a_patch_of_three_fifths_of_the_wall_is_a_patch_and_a_whole_wall_is_none() {
     // ANV of so large a patch still points one way, but its MP lies off the surface (4.6.3).
     assert!(large.patches[0].temporal_consistency.gap.unwrap() > 0.1);
     let akinetic = found(&beat(&CURVE, |_| 0.02));
-    assert_eq!(akinetic.extent, Extent::HardlyAnywhere);
+    assert_eq!(akinetic.wall_thickening, WallThickening::HardlyAnywhere);
     assert!(akinetic.patches.is_empty());
 }
 

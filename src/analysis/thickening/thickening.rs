@@ -13,7 +13,7 @@ use super::error::ThickeningError;
 use super::params::CheckedThickeningParams;
 use super::patches::{Wall, segments_of};
 use super::regions::{akinetic_regions, tidied};
-use super::result::{Extent, SmallestPatch, Thickening};
+use super::result::{SmallestPatch, Thickening, WallThickening};
 use super::steps::{StepCriteria, steps, thickness_ratios};
 use super::surface::Surface;
 use super::temporal_consistency::temporal_consistency;
@@ -110,10 +110,10 @@ pub fn thickening(
             area: share * at_end_diastole.whole,
             area_cm2: wall.in_cm2(share * at_end_diastole.whole),
         }),
-        extent: match (found.hardly_thickens(params), patches.is_empty()) {
-            (true, _) => Extent::HardlyAnywhere,
-            (false, true) => Extent::Everywhere,
-            (false, false) => Extent::AllButPatches,
+        wall_thickening: match (found.hardly_thickens(params), patches.is_empty()) {
+            (true, _) => WallThickening::HardlyAnywhere,
+            (false, true) => WallThickening::Everywhere,
+            (false, false) => WallThickening::AllButPatches,
         },
         remote: found.remote,
         remote_curve,

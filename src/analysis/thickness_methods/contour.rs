@@ -10,7 +10,7 @@ fn sides(polygon: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
     (0..polygon.len()).map(|i| [polygon[i], polygon[(i + 1) % polygon.len()]])
 }
 
-/// Area inside, positive if wound against the clock, and centroid; `None` without area.
+/// Area inside, positive if wound against the clock, and centroid; `None` of no area.
 pub(super) fn area_and_centroid(polygon: &[Point2]) -> Option<(f64, Point2)> {
     let first = *polygon.first()?;
     let (mut twice, mut moment) = (0.0, Vector2::zeros());

@@ -1,5 +1,6 @@
 //! Thickness of the wall per vertex, whichever way it was found.
 
+use crate::numeric::median;
 use crate::study::SurfaceKind;
 
 /// A way of telling how thick the wall is.
@@ -54,10 +55,6 @@ impl ThicknessMap {
 
     /// Median of the thicknesses that are known, in coordinates.
     pub fn median(&self) -> Option<f64> {
-        let mut values: Vec<f64> = self.thickness.iter().flatten().copied().collect();
-        values.sort_unstable_by(f64::total_cmp);
-        let upper = *values.get(values.len() / 2)?;
-        let lower = *values.get((values.len().max(1) - 1) / 2)?;
-        Some(0.5 * (lower + upper))
+        median(self.thickness.iter().flatten().copied().collect())
     }
 }

@@ -72,12 +72,8 @@ pub(super) struct Rest {
 
 impl Rest {
     fn of(subject: &Subject) -> Result<Self, TransportError> {
-        let frame = subject.end_diastole.unwrap_or(0);
-        let pose = (subject.sequence.pose(frame)).ok_or_else(|| TransportError::EndDiastole {
-            subject: subject.id.clone(),
-            frame,
-            frames: subject.sequence.frame_count(),
-        })?;
+        let frame = subject.start_frame();
+        let pose = subject.sequence.pose(frame).unwrap_or_default();
         let scale = SizeScale::of_end_diastole(&pose).ok_or_else(|| TransportError::NoSize {
             subject: subject.id.clone(),
             frame,

@@ -43,16 +43,6 @@ pub enum TransportError {
         /// Its end-diastolic frame.
         frame: usize,
     },
-    /// End-diastole is said to be where no frame is.
-    #[error("end-diastole of {subject} is set to frame {frame}, but there are {frames} frames")]
-    EndDiastole {
-        /// Id of the subject concerned.
-        subject: String,
-        /// The frame named.
-        frame: usize,
-        /// Frames there are.
-        frames: usize,
-    },
     /// The subject that all motions were to be transported onto cannot take part.
     #[error("subject {index} of {subjects} cannot be used as the reference: {reason}")]
     Reference {

@@ -7,7 +7,7 @@ use super::classifier::{Calibration, Classifier, LeftOut, Model};
 use super::cohort::Trained;
 use super::design::{Design, Standard};
 use super::error::RuleError;
-use super::features::Feature;
+use super::feature::Feature;
 use super::result::{NotAssessed, TrainingSetDistance};
 use super::rule::{FORMAT, Rule, RuleMeshes, RuleModel, VERSION};
 use super::similarity::{distance_among, distance_from_mean};
@@ -45,7 +45,7 @@ impl Rule {
         }
         let place = |name: &str, unit: &str| {
             let mut all = Feature::MODEL_FEATURES.iter();
-            let place = all.position(|own| (own.name(), own.unit()) == (name, unit));
+            let place = all.position(|own| (own.name(), own.unit().symbol()) == (name, unit));
             place.ok_or_else(|| RuleError::Feature(format!("{name} {unit}").trim().to_owned()))
         };
         let reads = (self.features.iter())

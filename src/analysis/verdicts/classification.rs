@@ -1,12 +1,13 @@
 //! What a classifier says of one subject.
 
 use crate::analysis::measures::EF_RANGE;
-use crate::analysis::thickening::Extent;
+use crate::analysis::thickening::WallThickening;
 
 use super::checked_rule::CheckedRule;
 use super::classifier::Model;
 use super::cohort::{Cohort, Trained};
-use super::features::{Feature, Features};
+use super::feature::Feature;
+use super::features::Features;
 use super::result::{Examined, Finding, Kind, Reason, Verdict};
 use super::similarity::{nearest_distances, nearest_rows, training_set_distance};
 
@@ -122,11 +123,11 @@ impl<'a> Classification<'a> {
             nearest_rows(&self.standardised, index, &others, ALIKE)
         };
         Verdict {
-            finding: match (abnormal, failure(features, subject.extent)) {
+            finding: match (abnormal, failure(features, subject.wall_thickening)) {
                 (false, _) => Finding::Nothing,
                 (true, finding) => finding,
             },
-            wall: subject.extent.is_some(),
+            wall: subject.wall_thickening.is_some(),
             kinds: self.kinds(index),
             reasons: self.reasons(index, abnormal),
             outside: (self.rule)
@@ -151,20 +152,20 @@ impl<'a> Classification<'a> {
 }
 
 /// What fails in an abnormal subject.
-fn failure(features: &Features, extent: Option<Extent>) -> Finding {
-    let Some(extent) = extent else {
+fn failure(features: &Features, wall_thickening: Option<WallThickening>) -> Finding {
+    let Some(wall_thickening) = wall_thickening else {
         return Finding::WithoutPatch;
     };
     let reach = features.get(Feature::UpperRange).unwrap_or(0.0);
     // A thick wall thickens by little in relation to itself: what ejects as healthy hearts do is not hypokinetic.
     let ejects = features.get(Feature::EjectionFraction);
     let ejects = ejects.is_some_and(|share| 100.0 * share >= EF_RANGE.low);
-    match extent {
+    match wall_thickening {
         // Nothing thickens: there is no remote myocardium that a region could be compared with.
-        Extent::HardlyAnywhere => Finding::GlobalHypokinesia,
+        WallThickening::HardlyAnywhere => Finding::GlobalHypokinesia,
         // Before patches: a wall that fails as a whole often has a weakest part, which is no regional finding.
         _ if reach < REGIONAL_REACH && !ejects => Finding::GlobalHypokinesia,
-        Extent::AllButPatches => Finding::Patch,
-        Extent::Everywhere => Finding::WithoutPatch,
+        WallThickening::AllButPatches => Finding::AbnormalPatch,
+        WallThickening::Everywhere => Finding::WithoutPatch,
     }
 }

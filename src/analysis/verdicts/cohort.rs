@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use crate::analysis::classification::Accuracy;
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::Copies;
-use crate::study::{LabelRole, Study, plain_label};
+use crate::study::{LabelClass, Study, plain_label};
 
 use super::classifier::{LeftOut, Model, Row, leave_one_out};
 use super::params::CheckedVerdictParams;
@@ -51,12 +51,12 @@ impl Cohort {
     pub fn new(study: &Study, examined: &[Result<Examined, NotAssessed>]) -> Self {
         let copies = Copies::of(&study.subjects);
         let labels = copies.labels_once(&study.subjects);
-        let with_role = |role: LabelRole| -> Vec<usize> {
+        let with_class = |class: LabelClass| -> Vec<usize> {
             (examined.iter().enumerate())
                 .filter(|(index, subject)| {
                     // A copy would be in the training set of its twin.
                     let counts = labels[*index].is_some();
-                    counts && subject.is_ok() && study.role(&study.subjects[*index]) == role
+                    counts && subject.is_ok() && study.class_of(&study.subjects[*index]) == class
                 })
                 .map(|(index, _)| index)
                 .collect()
@@ -68,8 +68,8 @@ impl Cohort {
                     Err(_) => Vec::new(),
                 })
                 .collect(),
-            normal: with_role(LabelRole::Normal),
-            abnormal: with_role(LabelRole::Abnormal),
+            normal: with_class(LabelClass::Normal),
+            abnormal: with_class(LabelClass::Abnormal),
             labels: (study.subjects.iter())
                 .map(|subject| subject.label.clone())
                 .collect(),

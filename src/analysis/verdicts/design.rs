@@ -1,5 +1,7 @@
 //! Features as a classifier reads them: imputed, flagged, standardised, all by the training set alone.
 
+use crate::numeric::median;
+
 /// From features that may be unknown to numbers of a common scale.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Design {
@@ -84,13 +86,6 @@ impl Standard {
             .collect();
         Self { means, deviations }
     }
-}
-
-/// The value in the middle, the mean of both of an even number.
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let upper = *values.get(values.len() / 2)?;
-    Some(0.5 * (values[(values.len() - 1) / 2] + upper))
 }
 
 #[cfg(test)]

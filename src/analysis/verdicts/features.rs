@@ -1,19 +1,18 @@
-//! What a verdict looks at: a few numbers per subject, free of its size and place.
+//! Values of the features of one subject: those of the wall are computed here, those of the whole heart in `whole_heart`.
 
 use std::f64::consts::PI;
 
 use crate::analysis::medial::MedialBeat;
-use crate::analysis::thickening::{Patch, Thickening};
+use crate::analysis::thickening::{AKINETIC_PT, Patch, Thickening};
 use crate::mesh::{Point3, area};
 
+use super::feature::Feature;
 use super::weighted::Weighted;
 
-/// PT from end-diastole to end-systole below which a wall is akinetic: "roughly equal to one" (4.4).
-const AKINETIC_PT: f64 = 1.1;
 /// Share of the wall that is thinner than what counts as its greatest thickness.
 const GREATEST: f64 = 0.95;
 
-/// What a verdict is made of: one subject's medial surfaces and its thickening.
+/// What the features of the wall are made of: one subject's medial surfaces and its thickening.
 #[derive(Clone, Copy, Debug)]
 pub struct VerdictInput<'a> {
     /// Medial surfaces over the beat.
@@ -22,201 +21,15 @@ pub struct VerdictInput<'a> {
     pub thickening: &'a Thickening,
 }
 
-/// One feature of a subject.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Feature {
-    /// Share of the wall, away from where it was cut, whose thickness grows by less than a tenth from end-diastole to end-systole.
-    AkineticShare,
-    /// Area-weighted median of thickening, ln PT from end-diastole to end-systole.
-    Median,
-    /// Area-weighted standard deviation of thickening over the wall, ln PT.
-    Spread,
-    /// The same over the thickening of remote myocardium, at least ln 1.1.
-    RelativeSpread,
-    /// Thickening that a tenth of the wall does not reach, ln PT.
-    TenthPercentile,
-    /// Thickening of remote myocardium, ln PT.
-    Remote,
-    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall is hypokinetic, large where
-    /// a part does or none.
-    UpperRange,
-    /// Share of the wall in patches, each times its confidence.
-    PatchShare,
-    /// Confidence of the largest patch; 0 without one.
-    Confidence,
-    /// Thickening of the largest patch over that of remote myocardium; 1 without one.
-    PatchThickening,
-    /// Compactness of the largest patch, 4π area / length of its border², at most 1; 0 without one.
-    Compactness,
-    /// Mean distance 4.5.1 between poses, of the largest patch or of M̂ (4.7).
-    MeanPoseDistance,
-    /// Spread of ANV over the poses (4.4.1).
-    NormalSpread,
-    /// Mean distance of MP from the medial surface (4.4.2).
-    MeanPositionDistance,
-    /// Ejection fraction.
-    EjectionFraction,
-    /// End-diastolic volume over body surface, ml/m².
-    EdvIndex,
-    /// End-systolic volume over body surface, ml/m².
-    EsvIndex,
-    /// Mass of the myocardium over body surface, g/m².
-    MassIndex,
-    /// Mass of the myocardium over end-diastolic volume, g/ml.
-    MassToVolume,
-    /// Area-weighted median of wall thickness, the diameter of medial spheres, at end-diastole, mm.
-    WallEd,
-    /// Its 95th percentile, mm: a maximum that a single bump does not make.
-    ThickestEd,
-    /// The 95th percentile over the median: 1 for a wall of one thickness.
-    ThicknessRatio,
-    /// Median at end-systole, mm.
-    WallEs,
-    /// 95th percentile at end-systole, mm.
-    ThickestEs,
-    /// Volume of the cavity at end-diastole over that of a sphere as wide as the ventricle is long.
-    SphericityEd,
-    /// The same at end-systole.
-    SphericityEs,
-    /// Standard deviation over the inner side of its motion towards the centroid, as a share of the distance there.
-    InwardSpread,
-    /// 10th percentile of the same motion.
-    InwardTenth,
-}
-
-/// How many there are.
-const COUNT: usize = 28;
-
-impl Feature {
-    /// All of them, in the order of tables.
-    pub const ALL: [Self; COUNT] = [
-        Self::AkineticShare,
-        Self::Median,
-        Self::Spread,
-        Self::RelativeSpread,
-        Self::TenthPercentile,
-        Self::Remote,
-        Self::UpperRange,
-        Self::PatchShare,
-        Self::Confidence,
-        Self::PatchThickening,
-        Self::Compactness,
-        Self::MeanPoseDistance,
-        Self::NormalSpread,
-        Self::MeanPositionDistance,
-        Self::EjectionFraction,
-        Self::EdvIndex,
-        Self::EsvIndex,
-        Self::MassIndex,
-        Self::MassToVolume,
-        Self::WallEd,
-        Self::ThickestEd,
-        Self::ThicknessRatio,
-        Self::WallEs,
-        Self::ThickestEs,
-        Self::SphericityEd,
-        Self::SphericityEs,
-        Self::InwardSpread,
-        Self::InwardTenth,
-    ];
-
-    /// Those that the classifier reads. The ones of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
-    /// evidence: see [`verdicts`](super::verdicts()) for what was measured.
-    pub const MODEL_FEATURES: [Self; 17] = [
-        Self::AkineticShare,
-        Self::Median,
-        Self::RelativeSpread,
-        Self::EjectionFraction,
-        Self::EdvIndex,
-        Self::EsvIndex,
-        Self::MassIndex,
-        Self::MassToVolume,
-        Self::WallEd,
-        Self::ThickestEd,
-        Self::ThicknessRatio,
-        Self::WallEs,
-        Self::ThickestEs,
-        Self::SphericityEd,
-        Self::SphericityEs,
-        Self::InwardSpread,
-        Self::InwardTenth,
-    ];
-
-    /// Lengths, which mean something only in millimetres.
-    pub(super) const THICKNESSES: [Self; 4] = [
-        Self::WallEd,
-        Self::ThickestEd,
-        Self::WallEs,
-        Self::ThickestEs,
-    ];
-
-    /// The model feature of a name, in any case.
-    pub fn of_name(name: &str) -> Option<Self> {
-        let mut all = Self::MODEL_FEATURES.into_iter();
-        all.find(|feature| feature.name().eq_ignore_ascii_case(name.trim()))
-    }
-
-    /// What it is called in tables, on screen and in files of classifiers.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::AkineticShare => "Akinetic region",
-            Self::Median => "Median thickening",
-            Self::Spread => "SD of thickening",
-            Self::RelativeSpread => "Thickening heterogeneity",
-            Self::TenthPercentile => "10th percentile of thickening",
-            Self::Remote => "Remote thickening",
-            Self::UpperRange => "Upper range of thickening",
-            Self::PatchShare => "Wall in patches",
-            Self::Confidence => "Detection stability",
-            Self::PatchThickening => "Ratio of patch to remote thickening",
-            Self::Compactness => "Compactness",
-            Self::MeanPoseDistance => "Mean pose distance",
-            Self::NormalSpread => "Angular SD of ANV",
-            Self::MeanPositionDistance => "Distance of MP",
-            Self::EjectionFraction => "Ejection fraction",
-            Self::EdvIndex => "EDV index",
-            Self::EsvIndex => "ESV index",
-            Self::MassIndex => "Mass index",
-            Self::MassToVolume => "Mass / EDV",
-            Self::WallEd => "Wall thickness at ED",
-            Self::ThickestEd => "Greatest wall thickness at ED",
-            Self::ThicknessRatio => "Greatest / median wall thickness",
-            Self::WallEs => "Wall thickness at ES",
-            Self::ThickestEs => "Greatest wall thickness at ES",
-            Self::SphericityEd => "Sphericity at ED",
-            Self::SphericityEs => "Sphericity at ES",
-            Self::InwardSpread => "Heterogeneity of inward motion",
-            Self::InwardTenth => "Least inward motion",
-        }
-    }
-
-    /// What it is counted in; empty for a ratio.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Median
-            | Self::Spread
-            | Self::TenthPercentile
-            | Self::Remote
-            | Self::UpperRange => "ln PT",
-            Self::NormalSpread => "rad",
-            Self::EdvIndex | Self::EsvIndex => "ml/m²",
-            Self::MassIndex => "g/m²",
-            Self::MassToVolume => "g/ml",
-            Self::WallEd | Self::ThickestEd | Self::WallEs | Self::ThickestEs => "mm",
-            _ => "",
-        }
-    }
-}
-
 /// All features of one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Features([Option<f64>; COUNT]);
+pub struct Features([Option<f64>; Feature::ALL.len()]);
 
 impl Features {
     /// Of one subject. Features of poses are `None` where no pose has a descriptor.
     pub(super) fn new(heart: &VerdictInput<'_>) -> Self {
         let VerdictInput { beat, thickening } = *heart;
-        let rest = positions(beat, thickening.end_diastole);
+        let rest = beat.frames[thickening.end_diastole].positions();
         let areas = regular_areas(beat, &rest);
         // Near a cut a ratio of thicknesses is not one of the same tissue, and still wall there means nothing.
         let away: Vec<f64> = (areas.iter().zip(&thickening.at_edge))
@@ -271,7 +84,15 @@ impl Features {
                 Feature::WallEs => Some(contracted.quantile(0.5)),
                 Feature::ThickestEs => Some(contracted.quantile(GREATEST)),
                 // Those of the whole heart are added from its surfaces.
-                _ => None,
+                Feature::EjectionFraction
+                | Feature::EdvIndex
+                | Feature::EsvIndex
+                | Feature::MassIndex
+                | Feature::MassToVolume
+                | Feature::SphericityEd
+                | Feature::SphericityEs
+                | Feature::InwardSpread
+                | Feature::InwardTenth => None,
             }
         }))
     }
@@ -310,19 +131,13 @@ impl Features {
 /// Volume of the wall at end-systole over that at end-diastole: Σ area · 2 r over regular atoms.
 pub(super) fn wall_volume_ratio(beat: &MedialBeat, thickening: &Thickening) -> f64 {
     let volume = |pose: usize| -> f64 {
-        let areas = regular_areas(beat, &positions(beat, pose));
+        let areas = regular_areas(beat, &beat.frames[pose].positions());
         (areas.iter().zip(&beat.frames[pose].atoms))
             .map(|(area, atom)| 2.0 * area * atom.radius)
             .sum()
     };
     // Relative to end-diastole: the size of the subject cancels.
     volume(thickening.end_systole) / volume(thickening.end_diastole)
-}
-
-fn positions(beat: &MedialBeat, pose: usize) -> Vec<Point3> {
-    (beat.frames[pose].atoms.iter())
-        .map(|atom| atom.position)
-        .collect()
 }
 
 /// A third of the area of the faces around each atom, of those whose atoms are all regular.

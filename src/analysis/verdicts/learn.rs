@@ -8,7 +8,7 @@ use super::classifier::Model;
 use super::cohort::Cohort;
 use super::design::{Design, Standard};
 use super::error::{LearnError, VerdictError};
-use super::features::Feature;
+use super::feature::Feature;
 use super::params::CheckedVerdictParams;
 use super::result::{ClassifierQuality, Examined, NotAssessed};
 use super::rule::{
@@ -65,8 +65,8 @@ pub fn learn(
         version: VERSION,
         origin: RuleOrigin {
             study: study.name.clone(),
-            normal: study.label_roles.normal.clone(),
-            abnormal: study.label_roles.abnormal.clone(),
+            normal: study.label_classes.normal.clone(),
+            abnormal: study.label_classes.abnormal.clone(),
             program: concat!("Cardiomorph ", env!("CARGO_PKG_VERSION")).to_owned(),
             note: String::new(),
         },
@@ -117,7 +117,7 @@ fn feature(design: &Design, j: usize, range: Option<[f64; 2]>) -> RuleFeature {
     let count = Feature::MODEL_FEATURES.len();
     RuleFeature {
         name: feature.name().to_owned(),
-        unit: feature.unit().to_owned(),
+        unit: feature.unit().symbol().to_owned(),
         range,
         median: design.medians[j],
         mean: means[j],

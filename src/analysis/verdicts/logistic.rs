@@ -238,12 +238,15 @@ mod tests {
                 weight: 1.0,
             })
             .collect();
-        let told = left_out_scores(&whole, 1.0, &fitted(&all, 1.0));
+        let approximate = left_out_scores(&whole, 1.0, &fitted(&all, 1.0));
         let own = fitted(&all, 1.0);
-        for (i, told) in told.into_iter().enumerate() {
+        for (i, approximate) in approximate.into_iter().enumerate() {
             let exact = score(&as_cases(&all, i), &all[i].0);
             let moved = (score(&own, &all[i].0) - exact).abs();
-            assert!((told - exact).abs() < 0.1 * moved + 1e-3, "{told} {exact}");
+            assert!(
+                (approximate - exact).abs() < 0.1 * moved + 1e-3,
+                "{approximate} {exact}"
+            );
         }
     }
 

@@ -8,6 +8,7 @@ mod classifier;
 mod cohort;
 mod design;
 mod error;
+mod feature;
 mod features;
 mod learn;
 mod logistic;
@@ -21,7 +22,7 @@ mod similarity;
 mod tests;
 #[expect(
     clippy::module_inception,
-    reason = "the room's main function carries the room's name"
+    reason = "the folder's main function carries the folder's name"
 )]
 mod verdicts;
 mod weighted;
@@ -29,7 +30,8 @@ mod whole_heart;
 
 pub use checked_rule::CheckedRule;
 pub use error::{LearnError, RuleError, VerdictError};
-pub use features::{Feature, Features, VerdictInput};
+pub use feature::{Feature, FeatureUnit};
+pub use features::{Features, VerdictInput};
 pub use learn::learn;
 pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
 pub use result::{

@@ -3,7 +3,7 @@
 /// Settings of verdicts; [`VerdictParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VerdictParams {
-    /// Fewest assessed subjects of each role from which a classifier is trained.
+    /// Fewest assessed subjects of each class from which a classifier is trained.
     pub min_labelled: u32,
     /// Least share of its volume at end-diastole that the wall still has at end-systole. Myocardium keeps
     /// nearly all of it; a wall that loses more is blurred, and its thickening hidden.

@@ -1,9 +1,10 @@
 //! Verdicts as plain values.
 
 use crate::analysis::classification::Accuracy;
-use crate::analysis::thickening::Extent;
+use crate::analysis::thickening::WallThickening;
 
-use super::features::{Feature, Features};
+use super::feature::Feature;
+use super::features::Features;
 
 /// What a verdict needs of one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,7 +12,7 @@ pub struct Examined {
     /// Model features, and what else describes the subject.
     pub features: Features,
     /// What the whole wall does; `None` of a subject without a wall, of which other features are left.
-    pub extent: Option<Extent>,
+    pub wall_thickening: Option<WallThickening>,
     /// Share of the wall in patches, 0..=1.
     pub patched: f64,
 }
@@ -65,7 +66,7 @@ pub enum Finding {
     /// As normal subjects are.
     Nothing,
     /// Abnormal, and a part of the wall does not thicken.
-    Patch,
+    AbnormalPatch,
     /// The whole wall hardly thickens, or thickens too little without a part that stands out.
     GlobalHypokinesia,
     /// Unlike the normal subjects, but the wall thickens and no part of it is akinetic.
@@ -86,7 +87,7 @@ impl Finding {
     pub fn name(self) -> &'static str {
         match self {
             Self::Nothing => "no regional abnormality",
-            Self::Patch => "abnormal patch",
+            Self::AbnormalPatch => "abnormal patch",
             Self::GlobalHypokinesia => "global hypokinesia",
             Self::WithoutPatch => "abnormal without a patch",
         }
@@ -245,9 +246,9 @@ pub struct ClassifierQuality {
 /// How often the most probable kind is the label, leave-one-out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KindQuality {
-    /// Right of …
+    /// Subjects whose most probable kind is their label.
     pub correct: usize,
-    /// … so many subjects.
+    /// Subjects with a kind.
     pub of: usize,
     /// As many have the most frequent label: always saying that would be right so often.
     pub largest_kind: usize,

@@ -95,9 +95,9 @@ pub struct RuleFeature {
     pub range: Option<[f64; 2]>,
     /// What stands in where it is not known; null where no subject had one.
     pub median: Option<f64>,
-    /// Subtracted …
+    /// Mean over the training set, which is subtracted to standardise a value.
     pub mean: f64,
-    /// … before division by this.
+    /// Standard deviation over the training set, by which the difference from the mean is divided.
     pub deviation: f64,
     /// Mean and deviation of the flag of its absence, 0 or 1, if there is one.
     pub absence: Option<[f64; 2]>,

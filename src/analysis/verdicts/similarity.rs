@@ -47,6 +47,7 @@ pub(super) fn training_set_distance(
         .count();
     Some(TrainingSetDistance {
         distance,
+        // The upper one of an even number: a distance that occurs.
         median: *nearest_distances.get(nearest_distances.len() / 2)?,
         as_far: as_far as f64 / nearest_distances.len() as f64,
     })

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::measures::{PhaseSource, SubjectMeasures};
 use crate::analysis::medial::{Atom, MedialBeat, MedialSurface};
-use crate::analysis::thickening::{Thickening, ThickeningParams, thickening};
+use crate::analysis::thickening::{AKINETIC_PT, Thickening, ThickeningParams, thickening};
 use crate::mesh::{Point3, Vector3, phantom};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
@@ -159,10 +159,14 @@ fn subjects_with_a_patch_are_classified_with_and_without_labels() {
     );
     let findings: Vec<Finding> = (0..17).map(|i| assessed(&found, i).finding).collect();
     assert_eq!(findings[..7], [Finding::Nothing; 7]);
-    assert_eq!(findings[7..14], [Finding::Patch; 7]);
+    assert_eq!(findings[7..14], [Finding::AbnormalPatch; 7]);
     assert_eq!(
         findings[14..],
-        [Finding::Nothing, Finding::Patch, Finding::GlobalHypokinesia]
+        [
+            Finding::Nothing,
+            Finding::AbnormalPatch,
+            Finding::GlobalHypokinesia
+        ]
     );
     let quality = found.quality.unwrap();
     assert_eq!((quality.accuracy.correct, quality.accuracy.of), (14, 14));
@@ -237,6 +241,23 @@ fn wall(subject: &mut Arc<Subject>, index: usize) {
 }
 
 #[test]
+fn the_akinetic_share_is_of_what_thickens_by_less_than_ten_percent() {
+    let shares = [0.9, 1.1].map(|factor| {
+        let (beat, thickening) = heart(|_| factor * AKINETIC_PT.ln(), 0.0);
+        let heart = VerdictInput {
+            beat: &beat,
+            thickening: &thickening,
+        };
+        Features::new(&heart).get(Feature::AkineticShare)
+    });
+    assert_eq!(shares, [Some(1.0), Some(0.0)]);
+    assert!((AKINETIC_PT - 1.1).abs() < 1e-15);
+    let default = ThickeningParams::default();
+    assert_eq!(default.akinetic_threshold, AKINETIC_PT.ln());
+    assert_eq!(default.min_thickening, AKINETIC_PT.ln());
+}
+
+#[test]
 fn without_enough_labels_the_built_in_rule_speaks_and_says_so() {
     let (hearts, mut labels) = cohort();
     let inputs: Vec<_> = hearts.iter().map(input).collect();
@@ -267,7 +288,7 @@ fn without_enough_labels_the_built_in_rule_speaks_and_says_so() {
             let expected = match index {
                 0..7 | 14 => Finding::Nothing,
                 16 => Finding::GlobalHypokinesia,
-                _ => Finding::Patch,
+                _ => Finding::AbnormalPatch,
             };
             assert_eq!(assessed(&found, index).finding, expected, "{case}: {index}");
         }

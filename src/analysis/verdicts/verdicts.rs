@@ -1,5 +1,6 @@
 //! All steps in order: features, the classifier of the cohort, its answer for each subject, and its accuracy.
 
+use crate::analysis::thickening::AKINETIC_PT;
 use crate::progress::Progress;
 use crate::study::Study;
 
@@ -7,7 +8,8 @@ use super::checked_rule::CheckedRule;
 use super::classification::Classification;
 use super::cohort::Cohort;
 use super::error::VerdictError;
-use super::features::{Feature, Features, VerdictInput, wall_volume_ratio};
+use super::feature::Feature;
+use super::features::{Features, VerdictInput, wall_volume_ratio};
 use super::params::CheckedVerdictParams;
 use super::result::{ClassifierSource, Examined, NotAssessed, RuleSource, Verdict, Verdicts};
 use super::shipped::built_in_rule;
@@ -16,8 +18,6 @@ use super::whole_heart::with_whole_hearts;
 /// Thickening of remote myocardium, in standard deviations of averaged noise, or of the least that counts as
 /// thickening: nearer to noise nothing is reported.
 const SURE: f64 = 3.0;
-/// ln PT that counts as thickening at all, PT = 1.1.
-const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
 
 /// Finding and probability of each subject.
 ///
@@ -132,7 +132,7 @@ pub fn examine(
     }
     let (noise, remote) = (heart.thickening.averaged_noise, heart.thickening.remote);
     // With noise this large a normal wall looks uneven and an akinetic one may look normal.
-    if SURE * noise > remote.max(MIN_THICKENING) {
+    if SURE * noise > remote.max(AKINETIC_PT.ln()) {
         return Err(NotAssessed::Noise { noise, remote });
     }
     let features = Features::new(heart);
@@ -142,7 +142,7 @@ pub fn examine(
         }),
         None => Ok(Examined {
             features,
-            extent: Some(heart.thickening.extent),
+            wall_thickening: Some(heart.thickening.wall_thickening),
             patched: (heart.thickening.patches.iter()).fold(0.0, |sum, patch| sum + patch.share),
         }),
     }

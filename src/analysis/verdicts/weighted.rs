@@ -24,7 +24,7 @@ impl Weighted {
         self.whole
     }
 
-    /// Share of the area with values below a limit; 0 without area.
+    /// Share of the area with values below a limit; 0 of no area.
     pub fn share_below(&self, limit: f64) -> f64 {
         let below: f64 = (self.sorted.iter())
             .take_while(|[value, _]| *value < limit)

@@ -12,7 +12,8 @@ use crate::study::{Study, Subject};
 use crate::units::LengthUnit;
 
 use super::error::VerdictError;
-use super::features::{Feature, Features};
+use super::feature::Feature;
+use super::features::Features;
 use super::result::{Examined, NotAssessed};
 use super::weighted::Weighted;
 
@@ -77,35 +78,46 @@ pub fn wall_in_doubt(subject: &Subject) -> Option<NotAssessed> {
 fn add_whole_heart(features: &mut Features, subject: &Subject) {
     let measures = measure_subject(subject);
     let millimetres = measures.unit == LengthUnit::Millimetre;
-    if !millimetres {
-        for feature in Feature::THICKNESSES {
-            features.set(feature, None);
-        }
-    }
     let indexed =
         |value: Option<f64>| Some(value.filter(|_| millimetres)? / body_surface_m2(subject)?);
     let mass = measures.mass.map(|mass| mass.0);
-    features.set(Feature::EjectionFraction, measures.ef);
-    features.set(Feature::EdvIndex, indexed(measures.edv));
-    features.set(Feature::EsvIndex, indexed(measures.esv));
-    features.set(Feature::MassIndex, indexed(mass));
-    let positive = measures.edv.filter(|edv| millimetres && *edv > 0.0);
-    features.set(
-        Feature::MassToVolume,
-        mass.and_then(|mass| Some(mass / positive?)),
-    );
     let sphericity = |pose: Option<usize>| sphericity(subject, &measures, pose?);
-    features.set(Feature::SphericityEd, sphericity(measures.end_diastole));
-    features.set(Feature::SphericityEs, sphericity(measures.end_systole));
     let motion = inward_motion(subject, &measures);
-    features.set(
-        Feature::InwardSpread,
-        motion.as_ref().map(Weighted::deviation),
-    );
-    features.set(
-        Feature::InwardTenth,
-        motion.as_ref().map(|motion| motion.quantile(0.1)),
-    );
+    for feature in Feature::ALL {
+        let value = match feature {
+            Feature::EjectionFraction => measures.ef,
+            Feature::EdvIndex => indexed(measures.edv),
+            Feature::EsvIndex => indexed(measures.esv),
+            Feature::MassIndex => indexed(mass),
+            Feature::MassToVolume => (measures.edv)
+                .filter(|edv| millimetres && *edv > 0.0)
+                .and_then(|edv| Some(mass? / edv)),
+            Feature::SphericityEd => sphericity(measures.end_diastole),
+            Feature::SphericityEs => sphericity(measures.end_systole),
+            Feature::InwardSpread => motion.as_ref().map(Weighted::deviation),
+            Feature::InwardTenth => motion.as_ref().map(|motion| motion.quantile(0.1)),
+            Feature::WallEd | Feature::ThickestEd | Feature::WallEs | Feature::ThickestEs => {
+                features.get(feature).filter(|_| millimetres)
+            }
+            // The others of the wall need no unit.
+            Feature::AkineticShare
+            | Feature::Median
+            | Feature::RelativeSpread
+            | Feature::ThicknessRatio
+            | Feature::Spread
+            | Feature::TenthPercentile
+            | Feature::Remote
+            | Feature::UpperRange
+            | Feature::PatchShare
+            | Feature::Confidence
+            | Feature::PatchThickening
+            | Feature::Compactness
+            | Feature::MeanPoseDistance
+            | Feature::NormalSpread
+            | Feature::MeanPositionDistance => features.get(feature),
+        };
+        features.set(feature, value);
+    }
     features.without_infinite();
 }
 

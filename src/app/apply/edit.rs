@@ -6,7 +6,7 @@ use crate::analysis::segments::long_axis;
 use crate::io::renew_cohort_notices;
 use crate::panes::cohort::view::visible_subjects;
 use crate::panes::{EditCommand, Pane, Phase, PhaseFrame, Whose};
-use crate::study::{CoordinateUnit, EditError, LabelRole, Landmark, Revision, Study, Subject};
+use crate::study::{CoordinateUnit, EditError, LabelClass, Landmark, Revision, Study, Subject};
 
 use super::change::{Moment, change};
 use super::effect::Effect;
@@ -44,9 +44,9 @@ pub fn apply(state: &mut State, command: EditCommand, moment: &Moment) -> Option
             }
         }
         EditCommand::Rename { subject, id } => rename(state, moment, subject, &id),
-        EditCommand::SetRole(whose, role) => {
+        EditCommand::SetClass(whose, class) => {
             let label = (state.subject(one(state, whose)?)?.label).clone()?;
-            set_role(state, moment, &label, role);
+            set_class(state, moment, &label, class);
         }
         EditCommand::Exclude(whose) => {
             let index = one(state, whose)?;
@@ -189,10 +189,10 @@ fn rename(state: &mut State, moment: &Moment, index: usize, id: &str) {
     edit_subject(state, moment, index, |subject| subject.id = id);
 }
 
-fn set_role(state: &mut State, moment: &Moment, label: &str, role: LabelRole) {
-    if state.document.study().label_roles.role(Some(label)) != role {
+fn set_class(state: &mut State, moment: &Moment, label: &str, class: LabelClass) {
+    if state.document.study().label_classes.class_of(Some(label)) != class {
         edit(state, moment, |study, revision| {
-            study.with_role(label, role, revision)
+            study.with_class(label, class, revision)
         });
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::app::export::FigureKind;
-use crate::document::ThemeChoice;
+use crate::document::{Leaving, ThemeChoice};
 use crate::engine::{OpenSource, Topic};
 use crate::panes::Pane;
 
@@ -21,7 +21,12 @@ pub enum Effect {
     /// Add the subjects of these to the study.
     Add(Vec<PathBuf>),
     /// Write the study as files; asks where if `None`.
-    ExportStudy(Option<PathBuf>),
+    ExportStudy {
+        /// Where.
+        folder: Option<PathBuf>,
+        /// What it is left for once it is written.
+        then: Option<Leaving>,
+    },
     /// Ask where a picture goes.
     ChooseFigure(FigureKind),
     /// Ask where tables go.

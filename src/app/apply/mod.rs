@@ -1,11 +1,12 @@
 //! The one place where commands change the state: a file for each kind of command.
 
-mod beat;
 mod change;
 mod edit;
 mod effect;
 mod map;
+mod playback;
 mod rule;
+mod select;
 #[cfg(test)]
 mod tests;
 mod transport;
@@ -45,7 +46,8 @@ fn applied(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> 
             restore(state, step, "Done again");
         }
         Command::Edit(command) => return Vec::from_iter(edit::apply(state, command, moment)),
-        Command::Beat(command) => beat::apply(state, command, moment),
+        Command::Select(command) => select::apply(state, command, moment),
+        Command::Playback(command) => playback::apply(state, command, moment),
         Command::View(command) => view::apply(state, command, moment),
         Command::Map(command) => map::apply(state, command, moment),
         Command::Wall(command) => wall::apply(state, command, moment),

@@ -7,8 +7,8 @@ use crate::document::testing::{state_of, subject_with_frames};
 use crate::document::{CohortColumn, ViewMode};
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::{
-    BeatCommand, Command, EditCommand, FileCommand, Phase, PhaseFrame, ViewCommand, Whose,
-    WindowCommand, WorkCommand,
+    Command, EditCommand, FileCommand, Phase, PhaseFrame, PlaybackCommand, SelectCommand,
+    ViewCommand, Whose, WindowCommand, WorkCommand,
 };
 use crate::picture::Quantity;
 use crate::render::Camera;
@@ -36,7 +36,7 @@ fn give(state: &mut State, command: Command) -> Vec<Effect> {
 #[test]
 fn a_point_of_the_map_selects_its_heart_and_frame_and_plays() {
     let mut state = two_hearts();
-    let pose = Command::Beat(BeatCommand::SelectPose {
+    let pose = Command::Select(SelectCommand::SelectPose {
         subject: 1,
         frame: 3,
         play: true,
@@ -55,16 +55,16 @@ fn a_point_of_the_map_selects_its_heart_and_frame_and_plays() {
 fn a_pose_that_does_not_exist_changes_nothing() {
     let mut state = two_hearts();
     let before = state.document.clone();
-    let pose = Command::Beat(BeatCommand::SelectPose {
+    let pose = Command::Select(SelectCommand::SelectPose {
         subject: 9,
         frame: 0,
         play: true,
     });
     give(&mut state, pose);
-    give(&mut state, Command::Beat(BeatCommand::SelectSubject(9)));
+    give(&mut state, Command::Select(SelectCommand::SelectSubject(9)));
     give(
         &mut state,
-        Command::Beat(BeatCommand::SetPosition(f64::NAN)),
+        Command::Playback(PlaybackCommand::SetPosition(f64::NAN)),
     );
     give(
         &mut state,
@@ -81,23 +81,35 @@ fn a_pose_that_does_not_exist_changes_nothing() {
 #[test]
 fn frames_step_around_the_beat() {
     let mut state = two_hearts();
-    give(&mut state, Command::Beat(BeatCommand::StepFrame(-1)));
+    give(
+        &mut state,
+        Command::Playback(PlaybackCommand::StepFrame(-1)),
+    );
     assert_eq!(state.document.position, 7.0);
-    give(&mut state, Command::Beat(BeatCommand::StepFrame(1)));
+    give(&mut state, Command::Playback(PlaybackCommand::StepFrame(1)));
     assert_eq!(state.document.position, 0.0);
-    give(&mut state, Command::Beat(BeatCommand::SetPosition(2.4)));
-    give(&mut state, Command::Beat(BeatCommand::StepFrame(1)));
+    give(
+        &mut state,
+        Command::Playback(PlaybackCommand::SetPosition(2.4)),
+    );
+    give(&mut state, Command::Playback(PlaybackCommand::StepFrame(1)));
     assert_eq!(state.document.position, 3.0);
-    give(&mut state, Command::Beat(BeatCommand::SetPosition(2.4)));
-    give(&mut state, Command::Beat(BeatCommand::StepFrame(-1)));
+    give(
+        &mut state,
+        Command::Playback(PlaybackCommand::SetPosition(2.4)),
+    );
+    give(
+        &mut state,
+        Command::Playback(PlaybackCommand::StepFrame(-1)),
+    );
     assert_eq!(state.document.position, 2.0);
 }
 
 #[test]
 fn playing_leaves_no_steps_of_undo() {
     let mut state = two_hearts();
-    give(&mut state, Command::Beat(BeatCommand::SelectSubject(1)));
-    give(&mut state, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut state, Command::Select(SelectCommand::SelectSubject(1)));
+    give(&mut state, Command::Playback(PlaybackCommand::TogglePlay));
     let subject = state.document.selected().unwrap().clone();
     for _ in 0..100 {
         let (position, _) = state
@@ -105,7 +117,7 @@ fn playing_leaves_no_steps_of_undo() {
             .advance(&subject, state.document.position, None, 0.016);
         state.document.position = position;
     }
-    give(&mut state, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut state, Command::Playback(PlaybackCommand::TogglePlay));
     give(&mut state, Command::Edit(EditCommand::Undo));
     assert_eq!(state.document.subject, 0);
     assert!(!state.history.can_undo());
@@ -148,7 +160,10 @@ fn a_stated_phase_is_an_edit_that_can_be_taken_back() {
     );
     assert_eq!(state.phases_of(0).1, Some(5));
     assert_ne!(state.document.study().revision, before);
-    give(&mut state, Command::Beat(BeatCommand::GoToEndSystole));
+    give(
+        &mut state,
+        Command::Playback(PlaybackCommand::GoToEndSystole),
+    );
     assert_eq!(state.document.frame(), 5);
     give(&mut state, Command::Edit(EditCommand::Undo));
     give(&mut state, Command::Edit(EditCommand::Undo));
@@ -164,7 +179,7 @@ fn hundred_changes_of_many_kinds_are_taken_back_one_by_one() {
         let command = match step % 5 {
             0 => Command::View(ViewCommand::ToggleWireframe),
             1 => Command::View(ViewCommand::NextQuantity),
-            2 => Command::Beat(BeatCommand::SelectSubject((step / 5 + 1) % 2)),
+            2 => Command::Select(SelectCommand::SelectSubject((step / 5 + 1) % 2)),
             3 => Command::View(ViewCommand::SortCohort(CohortColumn::Subject)),
             _ => Command::View(ViewCommand::SetViewMode(if (step / 5) % 2 == 0 {
                 ViewMode::AllFrames
@@ -275,15 +290,15 @@ fn stepping_through_subjects_follows_the_table() {
         Command::View(ViewCommand::SortCohort(CohortColumn::Subject)),
     );
     for expected in [1, 2, 0] {
-        give(&mut state, Command::Beat(BeatCommand::StepSubject(1)));
+        give(&mut state, Command::Select(SelectCommand::StepSubject(1)));
         assert_eq!(state.document.subject, expected);
     }
-    give(&mut state, Command::Beat(BeatCommand::StepSubject(-1)));
+    give(&mut state, Command::Select(SelectCommand::StepSubject(-1)));
     assert_eq!(state.document.subject, 2);
     give(
         &mut state,
         Command::View(ViewCommand::SetSearch("a".to_owned())),
     );
-    give(&mut state, Command::Beat(BeatCommand::StepSubject(1)));
+    give(&mut state, Command::Select(SelectCommand::StepSubject(1)));
     assert_eq!(state.document.subject, 1);
 }

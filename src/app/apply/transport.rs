@@ -120,7 +120,7 @@ mod tests {
     use crate::document::interpolated_poses::{MotionMemo, geodesic_params};
     use crate::document::testing::{state_of, subject_with_frames};
     use crate::mesh::phantom;
-    use crate::panes::{BeatCommand, Command, EditCommand, ViewCommand};
+    use crate::panes::{Command, EditCommand, PlaybackCommand, SelectCommand, ViewCommand};
     use crate::study::{MeshSequence, Revision, Subject, SurfaceKind, SurfaceSequence};
     use crate::units::LengthUnit;
 
@@ -177,9 +177,9 @@ mod tests {
     fn whatever_shows_other_subjects_ends_the_transport() {
         for command in [
             Command::Transport(TransportCommand::StopTransport),
-            Command::Beat(BeatCommand::SelectSubject(0)),
+            Command::Select(SelectCommand::SelectSubject(0)),
             Command::View(ViewCommand::SetViewMode(ViewMode::Single)),
-            Command::Beat(BeatCommand::CompareWith(Some(2))),
+            Command::Select(SelectCommand::CompareWith(Some(2))),
         ] {
             let mut state = three_subjects();
             give(
@@ -274,13 +274,19 @@ mod tests {
             Command::Transport(TransportCommand::StepPose(-1)),
         );
         assert_eq!(state.document.position, 1.75);
-        give(&mut state, Command::Beat(BeatCommand::SetPosition(1.3)));
+        give(
+            &mut state,
+            Command::Playback(PlaybackCommand::SetPosition(1.3)),
+        );
         give(
             &mut state,
             Command::Transport(TransportCommand::StepPose(-1)),
         );
         assert_eq!(state.document.position, 1.25);
-        give(&mut state, Command::Beat(BeatCommand::SetPosition(0.0)));
+        give(
+            &mut state,
+            Command::Playback(PlaybackCommand::SetPosition(0.0)),
+        );
         give(
             &mut state,
             Command::Transport(TransportCommand::StepPose(-1)),

@@ -48,7 +48,7 @@ mod tests {
     use crate::analysis::segments::Segment;
     use crate::app::apply::apply;
     use crate::document::testing::{state_of, subject_with_frames};
-    use crate::panes::{BeatCommand, Command, EditCommand, Phase, PhaseFrame, Whose};
+    use crate::panes::{Command, EditCommand, Phase, PhaseFrame, SelectCommand, Whose};
     use crate::picture::WallPart;
     use crate::study::Revision;
 
@@ -74,14 +74,14 @@ mod tests {
         let before = state.document.thickening;
         for extent in [0.3, 0.35, 0.5] {
             let mut settings = before;
-            settings.patches.extent = extent;
+            settings.patches.extent_threshold = extent;
             give(
                 &mut state,
                 Command::Wall(WallCommand::SetThickening(settings)),
                 true,
             );
         }
-        assert_eq!(state.document.thickening.patches.extent, 0.5);
+        assert_eq!(state.document.thickening.patches.extent_threshold, 0.5);
         give(&mut state, Command::Edit(EditCommand::Undo), false);
         assert_eq!(state.document.thickening, before);
     }
@@ -91,7 +91,7 @@ mod tests {
         let mut state = state();
         let before = state.document.thickening;
         let mut settings = before;
-        settings.patches.extent = 0.1;
+        settings.patches.extent_threshold = 0.1;
         give(
             &mut state,
             Command::Wall(WallCommand::SetThickening(settings)),
@@ -111,7 +111,7 @@ mod tests {
         );
         give(
             &mut state,
-            Command::Beat(BeatCommand::SelectSubject(1)),
+            Command::Select(SelectCommand::SelectSubject(1)),
             false,
         );
         assert_eq!(state.document.part, Some(segment));
@@ -122,7 +122,7 @@ mod tests {
         );
         give(
             &mut state,
-            Command::Beat(BeatCommand::SelectSubject(0)),
+            Command::Select(SelectCommand::SelectSubject(0)),
             false,
         );
         assert_eq!(state.document.part, None);
@@ -160,12 +160,12 @@ mod tests {
             false,
         );
         for (subject, kept) in [(0, patch), (1, None)] {
-            let pose = BeatCommand::SelectPose {
+            let pose = SelectCommand::SelectPose {
                 subject,
                 frame: 2,
                 play: true,
             };
-            give(&mut state, Command::Beat(pose), false);
+            give(&mut state, Command::Select(pose), false);
             assert_eq!(state.document.part, kept);
         }
     }

@@ -44,7 +44,13 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
             let add = (!subjects.is_empty()).then_some(Effect::Add(subjects));
             with_rule(rule, add)
         }
-        FileCommand::ExportStudy(folder) => is_open.then_some(Effect::ExportStudy(folder)),
+        FileCommand::ExportStudy(folder) => {
+            is_open.then_some(Effect::ExportStudy { folder, then: None })
+        }
+        FileCommand::ExportAndLeave => Some(Effect::ExportStudy {
+            folder: None,
+            then: Some(state.leaving.take()?),
+        }),
         FileCommand::Leave => {
             let leaving = state.leaving.take()?;
             left(state, leaving)

@@ -1,8 +1,8 @@
 //! The bars above and below the tiles.
 
+pub(crate) mod action_states;
 mod menu_bar;
 mod menu_lines;
-pub(crate) mod menu_view;
 mod status_bar;
 pub(crate) mod status_view;
 mod time_bar;

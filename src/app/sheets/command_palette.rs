@@ -8,7 +8,7 @@ use egui::{
 use crate::panes::action_state::ActionState;
 use crate::panes::actions::ALL_ACTIONS;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::{BeatCommand, Command, TransportCommand, WindowCommand};
+use crate::panes::commands::{Command, SelectCommand, TransportCommand, WindowCommand};
 use crate::panes::shortcuts::keys_text;
 use crate::ui::fuzzy::fuzzy_score;
 use crate::ui::style::note;
@@ -146,7 +146,7 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         where_it_stands: format!("Subject · {}", row.label.as_deref().unwrap_or("no label")),
         keys: String::new(),
         enabled: true,
-        command: Command::Beat(BeatCommand::SelectSubject(index)),
+        command: Command::Select(SelectCommand::SelectSubject(index)),
     });
     let motion = (view.actions.state.document.selected_index())
         .and_then(|from| Some((from, view.subjects.get(from)?)));
@@ -316,7 +316,7 @@ mod tests {
             commands,
             [
                 Command::Window(WindowCommand::TogglePalette),
-                Command::Beat(BeatCommand::SelectSubject(0))
+                Command::Select(SelectCommand::SelectSubject(0))
             ]
         );
     }

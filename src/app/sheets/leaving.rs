@@ -9,14 +9,19 @@ use crate::ui::controls::dialog_ui;
 use crate::ui::style::note;
 use crate::ui::theme::space;
 
-/// Draws the question. Enter exports, Esc stays.
+/// Draws the question. Enter exports and leaves, Esc stays.
 pub fn leaving_ui(ui: &mut Ui, leaving: &Leaving, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
-    let (heading, leave) = match leaving {
-        Leaving::Quit => ("Quit without exporting the edits?", "Quit"),
+    let (heading, leave, export_and) = match leaving {
+        Leaving::Quit => (
+            "Quit without exporting the edits?",
+            "Quit without exporting",
+            "Export study and quit…",
+        ),
         Leaving::Open(_) | Leaving::FollowLinks => (
             "Open another study without exporting the edits?",
             "Open without exporting",
+            "Export study and open…",
         ),
     };
     // While a button has the keyboard, Enter presses that one.
@@ -27,17 +32,16 @@ pub fn leaving_ui(ui: &mut Ui, leaving: &Leaving, commands: &mut Vec<Command>) {
         ui.label(
             "Labels, names, units, landmarks, phases or who belongs to the cohort were edited",
         );
-        ui.label(note("Enter exports the study, Esc stays"));
+        ui.label(note("Enter exports the study and then goes on, Esc stays"));
         ui.add_space(space::MEDIUM);
         ui.horizontal(|ui| {
-            export |= ui.button("Export study…").clicked();
+            export |= ui.button(export_and).clicked();
             command_button_ui(ui, leave, FileCommand::Leave, commands);
             command_button_ui(ui, "Stay", FileCommand::Stay, commands);
         });
     });
     if export {
-        commands.push(FileCommand::Stay.into());
-        commands.push(FileCommand::ExportStudy(None).into());
+        commands.push(FileCommand::ExportAndLeave.into());
     } else if stay {
         commands.push(FileCommand::Stay.into());
     }

@@ -5,20 +5,20 @@ use crate::analysis::deformations::deformation_distances;
 use crate::engine::queries::deformation_map::{DeformationMapQuery, deformation_words};
 use crate::engine::queries::pose_distances::PoseDistancesQuery;
 use crate::engine::store::{Context, Interrupted, Memory, Query};
-use crate::study::LabelRole;
+use crate::study::LabelClass;
 use crate::study::checks::Copies;
 
 /// Share of the time of the classification that the deformation map takes.
 const DEFORMATION_MAP_SHARE: f32 = 0.8;
 
-/// What the classes are that subjects are told apart by.
+/// What the classes are that subjects are classified by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClassesBy {
     /// The labels of the study.
     #[default]
     Label,
     /// Normal and abnormal, as the study says of its labels.
-    Role,
+    Class,
 }
 
 impl ClassesBy {
@@ -26,7 +26,7 @@ impl ClassesBy {
     pub fn name(self) -> &'static str {
         match self {
             Self::Label => "by label",
-            Self::Role => "normal and abnormal",
+            Self::Class => "normal and abnormal",
         }
     }
 }
@@ -38,7 +38,7 @@ pub struct ClassesQuery {
     pub deformations: DeformationMapQuery,
     /// How classifiers are trained and tested.
     pub classes: ClassesParams,
-    /// What is told apart.
+    /// What is classified.
     pub by: ClassesBy,
 }
 
@@ -54,7 +54,7 @@ impl Query for ClassesQuery {
         let map = deformation_words(&self.deformations);
         let by = match self.by {
             ClassesBy::Label => "",
-            ClassesBy::Role => ", normal and abnormal",
+            ClassesBy::Class => ", normal and abnormal",
         };
         format!("{map}, {permutations} permutations, seed {seed}{by}")
     }
@@ -79,11 +79,11 @@ impl Query for ClassesQuery {
         let labels: Vec<Option<&str>> = (map.subjects.iter())
             .map(|&index| {
                 let label = once.get(index).copied().flatten()?;
-                match (self.by, study.label_roles.role(Some(label))) {
+                match (self.by, study.label_classes.class_of(Some(label))) {
                     (ClassesBy::Label, _) => Some(label),
-                    (ClassesBy::Role, LabelRole::Normal) => Some("normal"),
-                    (ClassesBy::Role, LabelRole::Abnormal) => Some("abnormal"),
-                    (ClassesBy::Role, LabelRole::Unknown) => None,
+                    (ClassesBy::Class, LabelClass::Normal) => Some("normal"),
+                    (ClassesBy::Class, LabelClass::Abnormal) => Some("abnormal"),
+                    (ClassesBy::Class, LabelClass::Neither) => None,
                 }
             })
             .collect();

@@ -108,8 +108,7 @@ impl Query for EstimatedPoseQuery {
             Ok(pose) => pose,
             Err(why) => return Ok(Err(why.into())),
         };
-        let first = base.end_diastole.unwrap_or(0);
-        let first = base.sequence.pose(first).unwrap_or_default();
+        let first = base.sequence.pose(base.start_frame()).unwrap_or_default();
         let sequence = sequence_like(&base.sequence, &[first, pose])?;
         let subject = Subject {
             anatomy: base.anatomy,

@@ -1,6 +1,6 @@
 //! Distances of all poses, and settings of a metric in words.
 
-use crate::analysis::metrics::{Corners, CurvatureRole, Form, MetricParams};
+use crate::analysis::metrics::{Corners, CurvatureRole, MetricParams};
 use crate::analysis::pose_distances::{
     KnownDistances, PoseDistanceParams, PoseDistances, pose_distances_knowing,
 };
@@ -72,18 +72,16 @@ pub fn metric_words(metric: &MetricParams) -> String {
     if !metric.kind.has_forms() {
         return kind.to_owned();
     }
-    let form = match metric.form {
-        Form::Printed => "printed form".to_owned(),
-        Form::Bilinear => "bilinear form".to_owned(),
-        Form::Frozen => "frozen form".to_owned(),
-        Form::Additive if metric.curvature_role() == CurvatureRole::Term => {
-            format!("additive form, μ = {}", metric.mu)
-        }
-        Form::Additive => "additive form".to_owned(),
-    };
+    let form = metric.form.id();
+    let curvature = (metric.curvature_role() == CurvatureRole::Term)
+        .then(|| format!(", μ = {}", metric.mu))
+        .unwrap_or_default();
     let corners = match metric.corners {
         Corners::Raw => "corner terms as printed",
         Corners::ScaleFree => "scale-invariant corner terms",
     };
-    format!("{kind}, {form}, {corners}, λ = {}", metric.lambda)
+    format!(
+        "{kind}, {form} form{curvature}, {corners}, λ = {}",
+        metric.lambda
+    )
 }

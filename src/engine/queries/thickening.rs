@@ -11,10 +11,9 @@ use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segm
 use crate::analysis::thickening::{Thickening, ThickeningParams, phases, thickening};
 use crate::analysis::verdicts::{NotAssessed, VerdictInput, VerdictParams, examine, wall_in_doubt};
 use crate::engine::queries::measures::MeasuresQuery;
-use crate::engine::queries::medial_beat::{MedialSurfacesQuery, beat_bytes, medial_words};
+use crate::engine::queries::medial_surfaces::{MedialSurfacesQuery, beat_bytes, medial_words};
 use crate::engine::queries::subject::{NoSubject, subject_of};
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query, Urgency};
-use crate::mesh::Point3;
 use crate::study::Study;
 
 /// Share of the time of a subject's thickening that its atoms take.
@@ -108,9 +107,7 @@ impl Query for WallThickeningQuery {
             Err(error) => (None, Some(error.to_string())),
         };
         let assessed = thickening(&beat, &measures, axis.as_ref(), &params, part.progress())?;
-        let centres: Vec<Point3> = (beat.frames[end_diastole].atoms.iter())
-            .map(|atom| atom.position)
-            .collect();
+        let centres = beat.frames[end_diastole].positions();
         let verdicts = VerdictParams::default().check()?;
         let input = VerdictInput {
             beat: &beat,
@@ -166,9 +163,9 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
     let ThickeningParams {
         tolerance,
         ratio,
-        core,
-        akinetic,
-        extent,
+        core_threshold,
+        akinetic_threshold,
+        extent_threshold,
         min_share,
         min_thickening,
         smoothing,
@@ -182,8 +179,8 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         RatioForm::Product => "product",
     };
     format!(
-        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core}, akinetic threshold {akinetic:.3}, \
-         extent threshold {extent}, minimum area {min_share}, minimum thickening {min_thickening:.3}, \
+        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core_threshold}, akinetic threshold {akinetic_threshold:.3}, \
+         extent threshold {extent_threshold}, minimum area {min_share}, minimum thickening {min_thickening:.3}, \
          averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)

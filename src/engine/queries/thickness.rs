@@ -8,7 +8,7 @@ use crate::analysis::thickness_methods::{
     Agreement, CheckedThicknessParams, ThicknessError, ThicknessMethod, ThicknessParams,
     ThicknessSpread, thickness,
 };
-use crate::engine::queries::medial_beat::{MedialSurfacesQuery, medial_words};
+use crate::engine::queries::medial_surfaces::{MedialSurfacesQuery, medial_words};
 use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::progress::{Progress, Stopped};

@@ -70,9 +70,9 @@ impl Listing {
 
 /// Lists folders, each once.
 pub(super) struct Folders {
-    /// What was asked for, without links: links that lead out of all of them are not followed …
+    /// What was asked for, without links: links that lead out of all of them are followed where `follow_links` says so alone.
     roots: Vec<PathBuf>,
-    /// … unless that is asked for, too.
+    /// Whether links that lead out of all roots are followed.
     follow_links: bool,
     /// What was asked for, as it was written.
     stated: Vec<PathBuf>,

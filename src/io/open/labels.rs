@@ -4,17 +4,21 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::plan::SubjectPlan;
 use crate::study::checks::counted;
-use crate::study::{LabelRoles, Notice, plain_label};
+use crate::study::{LabelClasses, Notice, plain_label};
 
 /// Labels and ids that one notice names.
 const MAX_NAMED: usize = 3;
 
 /// Gives labels that differ only in letter case or blanks one spelling: that of the manifest's lists, else the first.
 /// Tells which, and which lists fit no subject.
-pub(super) fn unite_labels(plans: &mut [SubjectPlan], roles: Option<&LabelRoles>) -> Vec<Notice> {
+pub(super) fn unite_labels(
+    plans: &mut [SubjectPlan],
+    classes: Option<&LabelClasses>,
+) -> Vec<Notice> {
     let mut notices = Vec::new();
     let mut spelling: BTreeMap<String, String> = BTreeMap::new();
-    let lists = roles.map(|roles| [("normal", &roles.normal), ("abnormal", &roles.abnormal)]);
+    let lists =
+        classes.map(|classes| [("normal", &classes.normal), ("abnormal", &classes.abnormal)]);
     for (_, labels) in lists.iter().flatten() {
         for label in *labels {
             spelling
@@ -50,7 +54,7 @@ pub(super) fn unite_labels(plans: &mut [SubjectPlan], roles: Option<&LabelRoles>
             few(&ids)
         )));
     }
-    let Some(roles) = roles else {
+    let Some(classes) = classes else {
         return notices;
     };
     for (name, labels) in lists.iter().flatten() {
@@ -65,9 +69,9 @@ pub(super) fn unite_labels(plans: &mut [SubjectPlan], roles: Option<&LabelRoles>
             }
         }
     }
-    let both = roles.normal.iter().filter(|label| {
+    let both = classes.normal.iter().filter(|label| {
         let plain = plain_label(label);
-        roles
+        classes
             .abnormal
             .iter()
             .any(|other| plain_label(other) == plain)
@@ -126,11 +130,11 @@ mod tests {
             })
             .collect();
         let owned = |labels: &[&str]| labels.iter().map(|label| (*label).to_owned()).collect();
-        let roles = LabelRoles {
+        let classes = LabelClasses {
             normal: owned(normal),
             abnormal: owned(abnormal),
         };
-        let given = (!normal.is_empty()).then_some(&roles);
+        let given = (!normal.is_empty()).then_some(&classes);
         let notices = unite_labels(&mut plans, given);
         let labels = plans
             .into_iter()

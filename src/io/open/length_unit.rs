@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn a_unit_that_is_nearly_certain_is_offered_and_not_taken() {
-        let told = |kind, radius| {
+        let note_of = |kind, radius| {
             let (unit, notice) = length_unit(None, &ball(kind, radius));
             assert_eq!(unit, LengthUnit::FileUnit);
             notice.unwrap().text
@@ -163,11 +163,11 @@ mod tests {
             (SurfaceKind::Cavity, 4.5, "units = \"cm\""),
             (SurfaceKind::Cavity, 0.045, "units = \"m\""),
         ] {
-            let text = told(kind, radius);
+            let text = note_of(kind, radius);
             assert!(text.contains(option), "{text}");
         }
         // Voxels of gated SPECT.
-        assert!(!told(SurfaceKind::Cavity, 14.0).contains("state it"));
+        assert!(!note_of(SurfaceKind::Cavity, 14.0).contains("state it"));
     }
 
     #[test]

@@ -105,13 +105,13 @@ impl Search<'_> {
             }
         };
         let name = name_of(&list.path);
-        let told = |notice: Notice| Notice {
+        let about_series = |notice: Notice| Notice {
             text: format!("{name}: {}", notice.text),
             ..notice
         };
         self.plan
             .notices
-            .extend(series.notices.into_iter().map(told));
+            .extend(series.notices.into_iter().map(about_series));
         let several = series.parts.len() > 1;
         for part in series.parts {
             let first = part

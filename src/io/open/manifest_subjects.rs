@@ -18,7 +18,7 @@ use super::readings::read_names;
 use super::series_files::is_series;
 use super::study_toml::{Manifest, ManifestSubject, parse_manifest};
 use crate::progress::Stopped;
-use crate::study::{LabelRoles, Notice, SurfaceKind};
+use crate::study::{LabelClasses, Notice, SurfaceKind};
 
 /// A surface of a manifest's subject, or the file that is wrong and why.
 type SurfaceOrFault = Result<NamedSurface, (PathBuf, String)>;
@@ -44,11 +44,11 @@ impl Search<'_> {
         };
         self.plan.name = self.plan.name.take().or(manifest.name);
         self.plan.notices.extend(manifest.notices);
-        self.add_label_roles(manifest.label_roles);
+        self.add_label_classes(manifest.label_classes);
         let folder = path.parent().unwrap_or(Path::new(""));
         let before = self.plan.subjects.len();
         if manifest.subjects.is_empty() {
-            // A manifest may state units and labels' roles and leave the subjects to be found.
+            // A manifest may state units and labels' classes and leave the subjects to be found.
             self.folders_beside(folder)?;
         }
         for subject in manifest.subjects {
@@ -270,16 +270,16 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// Several manifests opened together share their labels' roles.
-    fn add_label_roles(&mut self, roles: Option<LabelRoles>) {
-        let Some(roles) = roles else { return };
-        let Some(known) = &mut self.plan.label_roles else {
-            self.plan.label_roles = Some(roles);
+    /// Several manifests opened together share their labels' classes.
+    fn add_label_classes(&mut self, classes: Option<LabelClasses>) {
+        let Some(classes) = classes else { return };
+        let Some(known) = &mut self.plan.label_classes else {
+            self.plan.label_classes = Some(classes);
             return;
         };
         for (known, more) in [
-            (&mut known.normal, roles.normal),
-            (&mut known.abnormal, roles.abnormal),
+            (&mut known.normal, classes.normal),
+            (&mut known.abnormal, classes.abnormal),
         ] {
             for label in more {
                 if !known.contains(&label) {

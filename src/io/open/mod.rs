@@ -88,13 +88,13 @@ pub fn open_paths_in_stages(
     search.paths(paths)?;
     let mut plan = search.plan;
     make_ids_unique(&mut plan.subjects);
-    let notices = unite_labels(&mut plan.subjects, plan.label_roles.as_ref());
+    let notices = unite_labels(&mut plan.subjects, plan.label_classes.as_ref());
     plan.notices.extend(notices);
     let own_name = plan.name.filter(|_| paths.len() == 1);
     let mut opened = Opened {
         study: Study {
             name: own_name.unwrap_or_else(|| name_of_paths(paths)),
-            label_roles: plan.label_roles.unwrap_or_default(),
+            label_classes: plan.label_classes.unwrap_or_default(),
             ..Study::default()
         },
         errors: plan.errors,

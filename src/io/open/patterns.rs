@@ -324,8 +324,8 @@ mod tests {
         };
         assert_eq!(files("*.obj").unwrap().len(), 1);
         let outcomes: Vec<_> = (0..3).map(|_| files("/**/nothing")).collect();
-        let told = |outcome: &Result<_, String>| matches!(outcome, Err(reason) if reason.contains("too many"));
+        let refused = |outcome: &Result<_, String>| matches!(outcome, Err(reason) if reason.contains("too many"));
         // small machines have fewer files than the budget
-        assert!(outcomes.iter().all(|o| told(o) || o.is_ok()));
+        assert!(outcomes.iter().all(|o| refused(o) || o.is_ok()));
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::io::OpenError;
-use crate::study::{Anatomy, LabelRoles, Notice, SurfaceKind};
+use crate::study::{Anatomy, LabelClasses, Notice, SurfaceKind};
 
 /// Everything that the paths lead to.
 #[derive(Debug, Default)]
@@ -11,7 +11,7 @@ pub(super) struct StudyPlan {
     /// As a manifest says.
     pub(super) name: Option<String>,
     /// As a manifest says.
-    pub(super) label_roles: Option<LabelRoles>,
+    pub(super) label_classes: Option<LabelClasses>,
     /// In the order of the input.
     pub(super) subjects: Vec<SubjectPlan>,
     /// What is already known to be unreadable.

@@ -9,7 +9,7 @@ use crate::study::{Notice, SurfaceKind};
 
 /// The frames with their seams joined, and what the load report says of it.
 ///
-/// A seam runs where two boundary edges lie exactly upon each other in all frames: their vertices become one. Left open, each
+/// A seam runs where two boundary edges coincide exactly in all frames: their vertices become one. Left open, each
 /// piece would be closed by lids of its own, and the volume would be that of what lies between surface and lids. Vertices
 /// that only meet, as two openings do in one point, stay apart, and so do the two sheets of a wall along their common rim.
 pub(super) fn without_seams(

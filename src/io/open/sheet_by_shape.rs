@@ -1,8 +1,6 @@
 //! Whether a surface that is only called a ventricle is its wall or its cavity.
 
-use std::f64::consts::TAU;
-
-use crate::mesh::{Point3, TriMesh};
+use crate::mesh::{Point3, TriMesh, mean_point, winding_number};
 use crate::study::{Notice, SurfaceKind};
 
 /// The sheet that a ventricle's surface is by its shape, with the sentence that says so.
@@ -11,8 +9,8 @@ use crate::study::{Notice, SurfaceKind};
 /// encloses the blood, and not at all if it encloses the myocardium, whose inner side takes back what
 /// the outer side gives.
 pub(super) fn sheet_by_shape(mesh: &TriMesh) -> (SurfaceKind, Notice) {
-    let middle = middle(mesh);
-    let turns = winding_number(mesh, &middle).abs();
+    let middle = mean_point(mesh.vertices().iter().copied());
+    let turns = turns_around(mesh, middle).abs();
     // Openings at the base take up to a third of the view from the middle.
     if turns < 0.4 {
         let text =
@@ -24,29 +22,10 @@ pub(super) fn sheet_by_shape(mesh: &TriMesh) -> (SurfaceKind, Notice) {
     }
 }
 
-fn middle(mesh: &TriMesh) -> Point3 {
-    let count = mesh.vertices().len().max(1) as f64;
-    let sum: crate::mesh::Vector3 = mesh.vertices().iter().map(|p| p.coords).sum();
-    Point3::from(sum / count)
-}
-
-/// How often the surface winds around a point: the sum of signed solid angles over 4π, each by
-/// tan(Ω/2) = a·(b×c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|).
-///
-/// Source: van Oosterom and Strackee (1983), IEEE Trans. Biomed. Eng. 30(2).
-fn winding_number(mesh: &TriMesh, point: &Point3) -> f64 {
-    let half_angles: f64 = mesh
-        .triangles()
-        .iter()
-        .map(|triangle| {
-            let [a, b, c] = triangle.map(|vertex| mesh.vertices()[vertex as usize] - point);
-            let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
-            let volume = a.dot(&b.cross(&c));
-            let rest = la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb;
-            volume.atan2(rest)
-        })
-        .sum();
-    half_angles / TAU
+/// How often the surface winds around a point.
+fn turns_around(mesh: &TriMesh, point: Point3) -> f64 {
+    let at = |vertex: u32| mesh.vertices()[vertex as usize];
+    winding_number(mesh.triangles().iter().map(|face| face.map(at)), point)
 }
 
 #[cfg(test)]
@@ -57,7 +36,7 @@ mod tests {
     #[test]
     fn a_ball_and_an_open_bowl_are_cavities() {
         let ball = phantom::sphere(2, 30.0);
-        assert!((winding_number(&ball, &Point3::origin()) - 1.0).abs() < 1e-12);
+        assert!((turns_around(&ball, Point3::origin()) - 1.0).abs() < 1e-12);
         assert_eq!(sheet_by_shape(&ball).0, SurfaceKind::Cavity);
         assert_eq!(
             sheet_by_shape(&phantom::bowl(30.0, 8, 16)).0,

@@ -30,7 +30,7 @@ use super::plan::{Stated, StatedUnit};
 use super::plausible::without_implausible;
 use super::toml_fields::{Fields, Lines};
 use crate::mesh::Point3;
-use crate::study::{Anatomy, LabelRoles, Notice, SurfaceKind};
+use crate::study::{Anatomy, LabelClasses, Notice, SurfaceKind};
 
 /// Subjects of one manifest: the largest cohorts of hearts in research have about ten thousand.
 pub(super) const MAX_SUBJECTS: usize = 20_000;
@@ -42,7 +42,7 @@ const MAX_UNKNOWN: usize = 20;
 pub(super) struct Manifest {
     pub(super) name: Option<String>,
     pub(super) unit: Option<StatedUnit>,
-    pub(super) label_roles: Option<LabelRoles>,
+    pub(super) label_classes: Option<LabelClasses>,
     pub(super) subjects: Vec<Result<ManifestSubject, SubjectError>>,
     pub(super) notices: Vec<Notice>,
 }
@@ -80,7 +80,7 @@ pub(super) fn parse_manifest(text: &str) -> Result<Manifest, String> {
     let mut fields = Fields::new(&lines, document.get_ref());
     let name = fields.string("name")?;
     let unit = unit(&mut fields)?;
-    let label_roles = label_roles(&mut fields)?;
+    let label_classes = label_classes(&mut fields)?;
     let subjects = match fields.value("subject") {
         None => Vec::new(),
         Some(DeValue::Array(items)) => {
@@ -111,7 +111,7 @@ pub(super) fn parse_manifest(text: &str) -> Result<Manifest, String> {
     Ok(Manifest {
         name,
         unit,
-        label_roles,
+        label_classes,
         subjects,
         notices,
     })
@@ -127,15 +127,15 @@ fn unit(fields: &mut Fields) -> Result<Option<StatedUnit>, String> {
     })
 }
 
-fn label_roles(fields: &mut Fields) -> Result<Option<LabelRoles>, String> {
+fn label_classes(fields: &mut Fields) -> Result<Option<LabelClasses>, String> {
     let normal = fields.strings("normal")?;
     let abnormal = fields.strings("abnormal")?;
     if normal.is_none() && abnormal.is_none() {
         return Ok(None);
     }
-    let usual = LabelRoles::default();
+    let usual = LabelClasses::default();
     let composed = |labels: Vec<String>| labels.iter().map(|label| composed(label)).collect();
-    Ok(Some(LabelRoles {
+    Ok(Some(LabelClasses {
         normal: normal.map_or(usual.normal, composed),
         abnormal: abnormal.map_or(usual.abnormal, composed),
     }))

@@ -51,7 +51,7 @@ pub(super) fn make_ids_unique(plans: &mut [SubjectPlan]) {
     nearly_equal_ids(plans);
 }
 
-/// Ids that a reader cannot tell apart: they differ only in letter case or blanks.
+/// Ids that a reader cannot distinguish: they differ only in letter case or blanks.
 fn nearly_equal_ids(plans: &mut [SubjectPlan]) {
     let plain = |id: &str| id.split_whitespace().collect::<String>().to_lowercase();
     let mut first: HashMap<String, String> = HashMap::new();
@@ -104,8 +104,8 @@ mod tests {
     #[test]
     fn ids_that_differ_in_case_or_blanks_are_told() {
         let plans = unique(&["p1", "P1", "p 1", "p2"]);
-        let told: Vec<usize> = plans.iter().map(|plan| plan.notices.len()).collect();
-        assert_eq!(told, [0, 1, 1, 0]);
+        let counts: Vec<usize> = plans.iter().map(|plan| plan.notices.len()).collect();
+        assert_eq!(counts, [0, 1, 1, 0]);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use super::error;
-use crate::io::{Limits, ReadMeshError, read_mesh};
+use crate::io::{Limits, ReadMeshError, mesh_format_names, read_mesh};
 
 fn error_with(name: &str, bytes: &[u8], limits: &Limits) -> String {
     read_mesh(name, bytes, limits).unwrap_err().to_string()
@@ -363,7 +363,7 @@ fn limits_are_errors_that_say_the_limit() {
     assert_eq!(
         read_mesh("a.txt", b"hello", &small),
         Err(ReadMeshError::UnknownFormat {
-            known: "OBJ, PLY, STL, VTK, VTP, glTF, CSV".to_owned()
+            known: mesh_format_names().join(", ")
         })
     );
 }

@@ -8,7 +8,7 @@ use super::*;
 use crate::io::{Limits, Opened, open_paths};
 use crate::mesh::{Point3, TriMesh, phantom};
 use crate::study::checks::LandmarkDoubt;
-use crate::study::{LabelRoles, Revision, SurfaceSequence};
+use crate::study::{LabelClasses, Revision, SurfaceSequence};
 use crate::units::Seconds;
 
 fn format(extension: &str) -> MeshFormat {
@@ -125,7 +125,7 @@ proptest! {
         let mut study = Study {
             name,
             subjects: subjects.into_iter().map(Arc::new).collect(),
-            label_roles: LabelRoles { normal, abnormal: vec!["DCM".to_owned()] },
+            label_classes: LabelClasses { normal, abnormal: vec!["DCM".to_owned()] },
             ..Study::default()
         };
         for index in (0..excluded.len()).filter(|index| excluded[*index]) {
@@ -136,7 +136,7 @@ proptest! {
         let opened = read_back(folder.path());
         prop_assert!(opened.errors.is_empty(), "{:?}", opened.errors);
         prop_assert_eq!(&opened.study.name, &study.name);
-        prop_assert_eq!(&opened.study.label_roles, &study.label_roles);
+        prop_assert_eq!(&opened.study.label_classes, &study.label_classes);
         prop_assert_eq!(opened.study.subjects.len(), study.subjects.len());
         prop_assert_eq!(opened.study.in_order(), study.in_order());
         for (written, read) in study.all().zip(opened.study.all()) {

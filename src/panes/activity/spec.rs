@@ -1,4 +1,4 @@
-//! The pane in the window's table. Finished and running work.
+//! The pane "Activity": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

@@ -19,6 +19,7 @@ pub struct BullsEyeData {
     flat: PolarMap,
     shown: PolarValues,
     patches: Vec<BullsEyePatch>,
+    subject: String,
     moment: String,
     without_axis: Option<String>,
     scale: BullsEyeScale,
@@ -32,8 +33,8 @@ fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) 
         .map_or(0.0, |patch| patch.share);
     let what = match standing {
         PatchStanding::NoVerdict => "",
-        PatchStanding::Abnormal => " · abnormal",
-        PatchStanding::Patch | PatchStanding::LowThickening => " · low thickening",
+        PatchStanding::AbnormalPatch => " · abnormal",
+        PatchStanding::UnclassifiedPatch | PatchStanding::RegionOnly => " · low thickening",
     };
     let part = part_name(standing, index);
     format!("{part}{what} · {} of the LV", percent(share))
@@ -66,6 +67,7 @@ impl BullsEyeData {
         }
         self.scale = scale;
         let frame = nearest_frame(document.position, found.beat.frames.len());
+        self.subject.clone_from(&subject.id);
         self.moment = state.moment_name(document.subject, frame);
         self.shown = self.flat.values(found, subject, quantity, frame);
         let selected = document.selected_patch();
@@ -76,7 +78,7 @@ impl BullsEyeData {
                 shape: shape.clone(),
                 number: (index + 1).to_string(),
                 name: patch_name(found, standing, index),
-                faint: standing == PatchStanding::LowThickening,
+                faint: standing == PatchStanding::RegionOnly,
                 selected: selected == Some(index),
             })
             .collect();
@@ -89,6 +91,7 @@ impl BullsEyeData {
             state: wall_state(state),
             without_axis: self.without_axis.as_deref(),
             scale: &self.scale,
+            subject: &self.subject,
             moment: &self.moment,
             by_segment: document.bulls_eye_segments,
             flat: &self.flat,

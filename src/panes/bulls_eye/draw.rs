@@ -1,6 +1,7 @@
 //! The plot itself: colours, rings and sectors, patches, numbers, names, colour bar.
 
 use egui::epaint::Mesh;
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
 
 use crate::analysis::segments::{RING_RADII, Segment};
@@ -207,7 +208,6 @@ fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
 pub fn names(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
     let put = |at: Pos2, align: Align2, text: &str| note_at(ui, at, align, text);
     if !view.flat.oriented {
-        put(area.left_top(), Align2::LEFT_TOP, "orientation unknown");
         return;
     }
     let (c, r) = (disc.centre, disc.radius + 3.0);
@@ -222,6 +222,27 @@ pub fn names(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
     };
     put(pos2(c.x - r, c.y), Align2::RIGHT_CENTER, left);
     put(pos2(c.x + r, c.y), Align2::LEFT_CENTER, right);
+}
+
+/// Whose wall it is, in the corner that the disc leaves free; without orientation in the line above the disc.
+pub fn subject(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
+    let (words, width) = match view.flat.oriented {
+        true => (view.subject.to_owned(), corner_width(disc, area)),
+        false => (
+            format!("orientation unknown · {}", view.subject),
+            area.width(),
+        ),
+    };
+    let mut words = LayoutJob::simple_singleline(words, note_font(), colours(ui).muted);
+    words.wrap = TextWrapping::truncate_at_width(width);
+    let galley = ui.painter().layout_job(words);
+    ui.painter()
+        .galley(area.left_top(), galley, colours(ui).muted);
+}
+
+/// Width of the corner beside the disc: up to the word above it.
+fn corner_width(disc: &Disc, area: Rect) -> f32 {
+    (disc.centre.x - 26.0 - area.left()).max(24.0)
 }
 
 /// The colours with numbers, title and unit.

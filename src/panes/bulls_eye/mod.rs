@@ -94,6 +94,7 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     let hovered = pointed(response.hover_pos()).filter(|_| on_border.is_none());
     draw::plot(ui, view, &disc, hovered);
     draw::names(ui, view, &disc, area);
+    draw::subject(ui, view, &disc, area);
     draw::colour_bar(ui, view, bar);
     if view.flat.oriented && names_are_read(&response) {
         name_segments(ui, view, &disc, &response, commands);

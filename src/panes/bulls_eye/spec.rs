@@ -1,4 +1,4 @@
-//! The pane in the window's table. The polar map of the wall, by AHA segment.
+//! The pane "Bull's-eye": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

@@ -51,6 +51,7 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
                     state: shown.state.clone(),
                     without_axis: None,
                     scale: &ratio_scale(),
+                    subject: "P05",
                     moment: "ES",
                     by_segment: true,
                     flat: &flat,

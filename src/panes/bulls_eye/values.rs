@@ -28,6 +28,8 @@ pub struct BullsEyeView<'a> {
     pub without_axis: Option<&'a str>,
     /// What is shown, in which colours and words.
     pub scale: &'a BullsEyeScale,
+    /// Whose wall it is.
+    pub subject: &'a str,
     /// The pose on screen: "ES", "frame 3".
     pub moment: &'a str,
     /// One colour for each segment.

@@ -120,7 +120,7 @@ impl Columns {
     pub(super) fn span(&self, column: CohortColumn) -> [f32; 2] {
         let gap = space::MEDIUM;
         match column {
-            CohortColumn::Role => [self.mark - 10.0, self.subject - 2.0],
+            CohortColumn::Class => [self.mark - 10.0, self.subject - 2.0],
             CohortColumn::Subject => [self.subject, self.label - gap],
             CohortColumn::Label => [self.label, self.ejection_fraction - EF_WIDTH],
             CohortColumn::EjectionFraction => {

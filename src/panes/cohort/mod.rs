@@ -17,11 +17,13 @@ use egui::{
 use crate::document::CohortColumn;
 use crate::panes::buttons::command_button_ui;
 use crate::panes::cohort::rows::{CohortRow, CohortVerdict};
-use crate::panes::commands::{BeatCommand, Command, FileCommand, ViewCommand};
-use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
+use crate::panes::commands::{Command, FileCommand, SelectCommand, ViewCommand};
+use crate::panes::subject_drag::{
+    DraggedSubject, SubjectTarget, dragged_subject, subject_target_ui,
+};
 use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
-use crate::ui::marks::role_name;
+use crate::ui::marks::class_name;
 use crate::ui::style::{note, text_font};
 use crate::ui::text::{counted, text_width};
 use crate::ui::theme::{colours, line, space};
@@ -204,7 +206,7 @@ fn row_ui(
     }
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
-        commands.push(BeatCommand::SelectSubject(index).into());
+        commands.push(SelectCommand::SelectSubject(index).into());
     }
     if dragged_from_within(ui, &response) {
         response.dnd_set_drag_payload(DraggedSubject {
@@ -217,7 +219,8 @@ fn row_ui(
         rect,
         subject: index,
         id: &row.id,
-        correspondence: row.correspondence,
+        corresponds: dragged_subject(ui)
+            .is_some_and(|dragged| dragged.correspondence == row.correspondence),
     };
     subject_target_ui(ui, &response, &target, commands);
     let typing = (view.edits.typing).filter(|typing| typing.subject == index);
@@ -256,7 +259,7 @@ fn menu_button_ui(ui: &mut Ui, row: Rect, response: &Response, subject: &str) ->
 fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
     ui.label(RichText::new(&row.id).strong());
     let label = row.label.as_deref().unwrap_or("none");
-    ui.label(format!("Label {label}, class {}", role_name(row.role)));
+    ui.label(format!("Label {label}, class {}", class_name(row.class)));
     ui.label(match row.ejection_fraction_in_words() {
         Some(words) => words,
         None => "Ejection fraction unknown".to_owned(),

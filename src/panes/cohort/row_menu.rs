@@ -5,9 +5,9 @@ use egui::{Button, Key, Modifiers, Popup, Response, SetOpenCommand, Ui};
 use crate::document::{TypedField, Typing};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{
-    BeatCommand, Command, EditCommand, Phase, PhaseFrame, TransportCommand, Whose,
+    Command, EditCommand, Phase, PhaseFrame, SelectCommand, TransportCommand, Whose,
 };
-use crate::study::{CoordinateUnit, LabelRole, Landmark, Study, Subject};
+use crate::study::{CoordinateUnit, LabelClass, Landmark, Study, Subject};
 use crate::ui::controls::choice_ui;
 use crate::ui::style::medium;
 
@@ -59,8 +59,8 @@ fn menu_ui(ui: &mut Ui, index: usize, view: &CohortView, commands: &mut Vec<Comm
         true => ("Stop comparing", None),
         false => ("Compare side by side", Some(index)),
     };
-    command_button_ui(ui, "Select", BeatCommand::SelectSubject(index), commands);
-    command_button_ui(ui, name, BeatCommand::CompareWith(compared), commands);
+    command_button_ui(ui, "Select", SelectCommand::SelectSubject(index), commands);
+    command_button_ui(ui, name, SelectCommand::CompareWith(compared), commands);
     if let Some(selected) = view.selected.filter(|selected| *selected != index) {
         transport_choices_ui(ui, view, [selected, index], commands);
     }
@@ -104,14 +104,14 @@ fn labels_ui(
     }
     if let Some(label) = &subject.label {
         ui.menu_button(format!("Class of the label {label}"), |ui| {
-            let now = study.role(subject);
-            for (role, name) in [
-                (LabelRole::Normal, "Normal"),
-                (LabelRole::Abnormal, "Abnormal"),
-                (LabelRole::Unknown, "None"),
+            let now = study.class_of(subject);
+            for (class, name) in [
+                (LabelClass::Normal, "Normal"),
+                (LabelClass::Abnormal, "Abnormal"),
+                (LabelClass::Neither, "Other"),
             ] {
-                if choice_ui(ui, name, role == now) {
-                    commands.push(EditCommand::SetRole(Whose::Subject(index), role).into());
+                if choice_ui(ui, name, class == now) {
+                    commands.push(EditCommand::SetClass(Whose::Subject(index), class).into());
                 }
             }
         });

@@ -6,9 +6,9 @@ use crate::analysis::measures::EF_RANGE;
 use crate::document::{CohortColumn, CohortSort};
 use crate::panes::verdict_marks::VerdictMark;
 use crate::report::SubjectRow;
-use crate::study::{LabelRole, natural_order};
+use crate::study::{LabelClass, natural_order};
 use crate::ui::LabelMark;
-use crate::ui::marks::role_name;
+use crate::ui::marks::class_name;
 
 /// The verdict on one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -48,7 +48,7 @@ pub struct CohortRow {
     /// Free text of the study.
     pub label: Option<String>,
     /// Class of the label.
-    pub role: LabelRole,
+    pub class: LabelClass,
     /// Shape and colour of the label.
     pub mark: LabelMark,
     /// Ejection fraction as a fraction; `None` until it is computed or where it cannot be.
@@ -109,12 +109,12 @@ enum SortKey<'a> {
 /// All columns from left to right.
 pub(super) const COLUMNS: [CohortColumnSpec; 5] = [
     CohortColumnSpec {
-        column: CohortColumn::Role,
+        column: CohortColumn::Class,
         heading: "",
         sort_by: "Sort by Class",
         sort_hint: "Sort by Class",
-        text: |row| Some(role_name(row.role).to_owned()),
-        sort_key: |row| Some(SortKey::Numbers([f64::from(row.role as u8), 0.0])),
+        text: |row| Some(class_name(row.class).to_owned()),
+        sort_key: |row| Some(SortKey::Numbers([f64::from(row.class as u8), 0.0])),
     },
     CohortColumnSpec {
         column: CohortColumn::Subject,
@@ -226,11 +226,11 @@ fn missing_last<T>(a: Option<T>, b: Option<T>, compare: impl Fn(T, T) -> Orderin
 mod tests {
     use super::*;
 
-    fn row(id: &str, role: LabelRole, ef: Option<f64>) -> CohortRow {
+    fn row(id: &str, class: LabelClass, ef: Option<f64>) -> CohortRow {
         CohortRow {
             id: id.to_owned(),
             label: None,
-            role,
+            class,
             ejection_fraction: ef,
             ..CohortRow::default()
         }
@@ -238,9 +238,9 @@ mod tests {
 
     fn cohort() -> Vec<CohortRow> {
         vec![
-            row("P10", LabelRole::Abnormal, Some(0.31)),
-            row("P2", LabelRole::Abnormal, None),
-            row("N1", LabelRole::Normal, Some(0.62)),
+            row("P10", LabelClass::Abnormal, Some(0.31)),
+            row("P2", LabelClass::Abnormal, None),
+            row("N1", LabelClass::Normal, Some(0.62)),
         ]
     }
 

@@ -1,4 +1,4 @@
-//! The pane in the window's table. The list of subjects.
+//! The pane "Cohort": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

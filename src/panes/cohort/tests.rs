@@ -2,7 +2,7 @@
 
 use super::columns::VerdictRoom;
 use super::*;
-use crate::panes::{BeatCommand, FileCommand, TransportCommand, ViewCommand};
+use crate::panes::{FileCommand, SelectCommand, TransportCommand, ViewCommand};
 use egui::Key;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
@@ -61,7 +61,7 @@ fn a_click_selects_a_row_and_a_heading_sorts() {
     assert_eq!(
         harness.into_state(),
         [
-            Command::Beat(BeatCommand::SelectSubject(3)),
+            Command::Select(SelectCommand::SelectSubject(3)),
             Command::View(ViewCommand::SortCohort(CohortColumn::EjectionFraction)),
             Command::View(ViewCommand::SortCohort(CohortColumn::Verdict))
         ]
@@ -113,7 +113,7 @@ fn rows_can_be_reached_and_selected_by_keyboard() {
     harness.run();
     assert_eq!(
         harness.into_state(),
-        [Command::Beat(BeatCommand::SelectSubject(2))]
+        [Command::Select(SelectCommand::SelectSubject(2))]
     );
 }
 

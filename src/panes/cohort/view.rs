@@ -140,7 +140,7 @@ fn cohort_rows(state: &State) -> Vec<CohortRow> {
             correspondence: group_of(subject),
             id: subject.id.clone(),
             label: subject.label.clone(),
-            role: study.role(subject),
+            class: study.class_of(subject),
             mark: marks.get(index).copied().unwrap_or_default(),
             ejection_fraction: state.measures_of(index).and_then(|measures| measures.ef),
             verdict: cohort_verdict(state, index),

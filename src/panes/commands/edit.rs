@@ -2,7 +2,7 @@
 
 use super::action::{CTRL, Menu, NONE, Row, SHIFT, row};
 use crate::document::{PickedPoint, TypedField, Typing};
-use crate::study::{CoordinateUnit, LabelRole, Landmark};
+use crate::study::{CoordinateUnit, LabelClass, Landmark};
 use egui::Key;
 
 /// Undo and redo, and edits of the study. Each edit is one step of undo.
@@ -33,7 +33,7 @@ pub enum EditCommand {
         id: String,
     },
     /// What the label of a subject counts as, wherever it stands.
-    SetRole(Whose, LabelRole),
+    SetClass(Whose, LabelClass),
     /// Leave a subject out of all analyses of the cohort.
     Exclude(Whose),
     /// Count an excluded subject again.
@@ -99,9 +99,9 @@ pub(super) static ACTIONS: &[Row<EditCommand>] = &[
     row(Menu::Edit, 0, "Undo", Some((CTRL, Key::Z)), EditCommand::Undo),
     row(Menu::Edit, 0, "Redo", Some((CTRL.plus(SHIFT), Key::Z)), EditCommand::Redo),
     row(Menu::Edit, 2, "Edit label…", Some((NONE, Key::L)), EditCommand::TypeInRow(TypedField::Label)),
-    row(Menu::Edit, 2, "Class of the label: normal", None, EditCommand::SetRole(Whose::Selected, LabelRole::Normal)),
-    row(Menu::Edit, 2, "Class of the label: abnormal", None, EditCommand::SetRole(Whose::Selected, LabelRole::Abnormal)),
-    row(Menu::Edit, 2, "Class of the label: none", None, EditCommand::SetRole(Whose::Selected, LabelRole::Unknown)),
+    row(Menu::Edit, 2, "Class of the label: normal", None, EditCommand::SetClass(Whose::Selected, LabelClass::Normal)),
+    row(Menu::Edit, 2, "Class of the label: abnormal", None, EditCommand::SetClass(Whose::Selected, LabelClass::Abnormal)),
+    row(Menu::Edit, 2, "Class of the label: other", None, EditCommand::SetClass(Whose::Selected, LabelClass::Neither)),
     row(Menu::Edit, 2, "Rename subject…", None, EditCommand::TypeInRow(TypedField::Name)),
     row(Menu::Edit, 3, "End-diastole: this frame", None, EditCommand::SetPhase(Whose::Selected, Phase::EndDiastole, PhaseFrame::Shown)),
     row(Menu::Edit, 3, "End-diastole: from the volume curve", None, EditCommand::SetPhase(Whose::Selected, Phase::EndDiastole, PhaseFrame::Found)),

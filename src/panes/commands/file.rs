@@ -49,6 +49,8 @@ pub enum FileCommand {
     ExportStudy(Option<PathBuf>),
     /// Leave a study with edits that are not exported.
     Leave,
+    /// Export the study, then leave it for what was asked.
+    ExportAndLeave,
     /// Stay with it.
     Stay,
     /// Leave the program.

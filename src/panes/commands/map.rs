@@ -21,7 +21,7 @@ pub enum MapCommand {
     SetComparison(Comparison),
     /// All settings of metric and maps as they were at the start.
     ResetMaps,
-    /// Whether subjects are told apart by their labels or by the classes of these.
+    /// Whether subjects are classified by their labels or by the classes of these.
     SetClassesBy(ClassesBy),
     /// Show the pose that the pose map implies at a place, in the coordinates of its embedding, until another command
     /// comes; `None` shows what was there before.
@@ -39,7 +39,7 @@ pub(super) static ACTIONS: &[Row<MapCommand>] = &[
     row(Menu::Analysis, 3, "Deformation map: shape", None, MapCommand::SetComparison(Comparison::Parts(PartWeights::SHAPE))),
     row(Menu::Analysis, 3, "Deformation map: curves of poses", None, MapCommand::SetComparison(Comparison::Poses)),
     row(Menu::Analysis, 2, "Classify by label", None, MapCommand::SetClassesBy(ClassesBy::Label)),
-    row(Menu::Analysis, 2, "Classify normal and abnormal", None, MapCommand::SetClassesBy(ClassesBy::Role)),
+    row(Menu::Analysis, 2, "Classify normal and abnormal", None, MapCommand::SetClassesBy(ClassesBy::Class)),
     row(Menu::Analysis, 3, "Pose map: SMACOF", None, MapCommand::SetMapMethod(MapMethod::Smacof)),
     row(Menu::Analysis, 3, "Pose map: classical MDS", None, MapCommand::SetMapMethod(MapMethod::ClassicalMds)),
     row(Menu::Analysis, 3, "Pose map: Isomap", None, MapCommand::SetMapMethod(MapMethod::ISOMAP)),

@@ -3,12 +3,13 @@
 //! A command, its name, its key and its place in the menus stand in one file; menus, palette and keys read the tables.
 
 mod action;
-mod beat;
 mod edit;
 mod file;
 mod map;
 mod pane;
+mod playback;
 mod rule;
+mod select;
 mod transport;
 mod view;
 mod wall;
@@ -17,14 +18,16 @@ mod work;
 
 use std::sync::LazyLock;
 
-pub use {action::*, beat::*, edit::*, file::*, map::*, pane::*};
-pub use {rule::*, transport::*, view::*, wall::*, window::*, work::*};
+pub use {action::*, edit::*, file::*, map::*, pane::*};
+pub use {playback::*, rule::*, select::*, transport::*, view::*, wall::*, window::*, work::*};
 
 /// One request of the user.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
-    /// The selected subject and the place in its cycle; applied by `app/apply/beat.rs`.
-    Beat(BeatCommand),
+    /// Which subjects are shown; applied by `app/apply/select.rs`.
+    Select(SelectCommand),
+    /// The place in the cycle, and playing; applied by `app/apply/playback.rs`.
+    Playback(PlaybackCommand),
     /// What is seen, and from where; applied by `app/apply/view.rs`.
     View(ViewCommand),
     /// Metric and maps; applied by `app/apply/map.rs`.
@@ -57,7 +60,8 @@ macro_rules! kinds {
 
 #[rustfmt::skip]
 kinds!(
-    Beat(BeatCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Rule(RuleCommand), Transport(TransportCommand),
+    Select(SelectCommand), Playback(PlaybackCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Rule(RuleCommand),
+    Transport(TransportCommand),
     Edit(EditCommand), File(FileCommand), Work(WorkCommand), Window(WindowCommand)
 );
 
@@ -68,7 +72,8 @@ pub type Action = Row<Command>;
 pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
     let mut actions: Vec<Action> = wide(file::ACTIONS)
         .chain(wide(edit::ACTIONS))
-        .chain(wide(beat::ACTIONS))
+        .chain(wide(select::ACTIONS))
+        .chain(wide(playback::ACTIONS))
         .chain(wide(view::ACTIONS))
         .chain(wide(wall::ACTIONS))
         .chain(wide(rule::ACTIONS))

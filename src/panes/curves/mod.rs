@@ -7,7 +7,7 @@ use egui::{
     Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{Command, PlaybackCommand};
 use crate::panes::cycle_axis::CycleAxis;
 use crate::picture::{nice_ticks, share_unit, share_words};
 use crate::ui::controls::empty_pane_ui;
@@ -82,7 +82,7 @@ pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
         && (response.clicked() || response.dragged())
     {
         let position = plot.position_at(pointer, &view.axis);
-        commands.push(BeatCommand::SetPosition(position).into());
+        commands.push(PlaybackCommand::SetPosition(position).into());
     }
     if let Some(pointer) = response.hover_pos() {
         let text = hover_text(view, plot.position_at(pointer, &view.axis));

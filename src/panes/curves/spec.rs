@@ -1,4 +1,4 @@
-//! The pane in the window's table. Volumes over the cardiac cycle.
+//! The pane "Volume": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

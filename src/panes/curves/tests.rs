@@ -1,7 +1,7 @@
 //! What the plot reads off and does under the pointer.
 
 use super::*;
-use crate::panes::BeatCommand;
+use crate::panes::PlaybackCommand;
 
 #[test]
 fn the_last_frame_runs_into_the_first() {
@@ -58,7 +58,8 @@ fn a_click_on_the_plot_moves_through_the_cycle() {
     harness.drag_at(place);
     harness.drop_at(place);
     harness.run();
-    let Some(Command::Beat(BeatCommand::SetPosition(position))) = harness.state().last() else {
+    let Some(Command::Playback(PlaybackCommand::SetPosition(position))) = harness.state().last()
+    else {
         panic!("no position");
     };
     assert!((position - 1.5).abs() < 0.01, "{position}");

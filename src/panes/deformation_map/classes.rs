@@ -60,7 +60,7 @@ pub fn height(pane: Vec2, view: &ClassesView) -> f32 {
 
 /// Draws the card in the height that [`height`] says.
 ///
-/// `by` is what subjects are told apart by, where the study offers both.
+/// `by` is what subjects are classified by, where the study offers both.
 pub fn classes_ui(
     ui: &mut Ui,
     view: &ClassesView,
@@ -161,12 +161,12 @@ fn columns(line: Rect) -> Vec<(f32, &'static Column)> {
         .collect()
 }
 
-/// Chooses what subjects are told apart by; the width that it takes.
+/// Chooses what subjects are classified by; the width that it takes.
 fn by_ui(ui: &mut Ui, head: Rect, by: ClassesBy, commands: &mut Vec<Command>) -> f32 {
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     let place = head.with_max_x((head.left() + NAME).min(head.right()));
     let mut child = ui.new_child(UiBuilder::new().max_rect(place).layout(layout));
-    let choices = [ClassesBy::Label, ClassesBy::Role].map(|by| (by, by.name()));
+    let choices = [ClassesBy::Label, ClassesBy::Class].map(|by| (by, by.name()));
     let response = chooser_ui(&mut child, "Classes", by.name(), |ui| {
         let chosen = choices_ui(ui, choices, by);
         commands.extend(chosen.map(|by| Command::from(MapCommand::SetClassesBy(by))));

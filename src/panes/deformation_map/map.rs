@@ -26,7 +26,7 @@ pub struct DeformationMapView<'a> {
     pub time_weight: Option<f64>,
     /// How well classifiers find the labels.
     pub classes: ClassesView<'a>,
-    /// What subjects are told apart by, where the study offers labels and classes.
+    /// What subjects are classified by, where the study offers labels and classes.
     pub classes_by: Option<ClassesBy>,
 }
 

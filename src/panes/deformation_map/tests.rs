@@ -6,7 +6,7 @@ use super::*;
 use crate::analysis::deformations::Comparison;
 use crate::engine::ClassesBy;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::{BeatCommand, Command, MapCommand};
+use crate::panes::commands::{Command, MapCommand, SelectCommand};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
 
 fn harness(
@@ -65,7 +65,7 @@ fn a_click_on_a_subject_plays_it_from_the_beginning_of_its_beat() {
     harness.get_by_label("neighbours 5 · reconstruction error 0.012 · time × 1.4");
     harness.get_by_label("Deformation of P1, other").click();
     harness.run();
-    let played = Command::Beat(BeatCommand::SelectPose {
+    let played = Command::Select(SelectCommand::SelectPose {
         subject: 1,
         frame: 2,
         play: true,
@@ -104,7 +104,7 @@ fn subjects_are_told_apart_by_label_or_by_class_whatever_came_of_the_classificat
         harness.run();
         harness.get_by_label("normal and abnormal").click();
         harness.run();
-        let chosen = Command::Map(MapCommand::SetClassesBy(ClassesBy::Role));
+        let chosen = Command::Map(MapCommand::SetClassesBy(ClassesBy::Class));
         assert_eq!(*harness.state(), [chosen]);
     }
 }

@@ -1,4 +1,4 @@
-//! The pane in the window's table. Clinical measures of the selected subject.
+//! The pane "Measures": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

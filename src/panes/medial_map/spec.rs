@@ -1,4 +1,4 @@
-//! The pane in the window's table. The map of the medial shape space.
+//! The pane "Medial": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

@@ -3,7 +3,7 @@
 use egui::{Response, Ui};
 
 use crate::analysis::metrics::{Corners, METRICS, MetricParams};
-use crate::panes::metric::words::{FORMS, form_name};
+use crate::panes::metric::words::FORMS;
 use crate::ui::controls::choices_ui;
 
 /// All kinds in a menu.
@@ -14,7 +14,7 @@ pub fn kinds_ui(ui: &mut Ui, metric: &mut MetricParams) {
 
 /// All forms in a menu.
 pub fn forms_ui(ui: &mut Ui, metric: &mut MetricParams) {
-    let forms = FORMS.map(|form| (form, form_name(form)));
+    let forms = FORMS.map(|form| (form, form.name()));
     metric.form = choices_ui(ui, forms, metric.form).unwrap_or(metric.form);
 }
 

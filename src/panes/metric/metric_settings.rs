@@ -6,7 +6,7 @@ use crate::analysis::metrics::Regulariser;
 use crate::engine::PoseMapQuery;
 use crate::panes::metric::choices::{forms_ui, kinds_ui, scale_free_ui};
 use crate::panes::metric::words::{
-    corners_sentence, form_name, form_sentence, has_curvature_weight, has_rings, metric_sentence,
+    corners_sentence, form_sentence, has_curvature_weight, has_rings, metric_sentence,
 };
 use crate::panes::metric::{choice_row_ui, sentence_ui};
 use crate::ui::controls::choices_ui;
@@ -24,7 +24,7 @@ pub fn metric_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
         "How the angle and curvature terms are combined",
         shown.kind.has_forms(),
     );
-    choice_row_ui(ui, "Form", what, form_name(shown.form), forms, |ui| {
+    choice_row_ui(ui, "Form", what, shown.form.name(), forms, |ui| {
         forms_ui(ui, metric);
     });
     if forms {

@@ -1,4 +1,4 @@
-//! The pane in the window's table. How poses and deformations are compared and mapped.
+//! The pane "Metric and maps": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

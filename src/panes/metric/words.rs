@@ -6,16 +6,6 @@ use crate::analysis::metrics::{Corners, CurvatureRole, Form, MetricParams, Metri
 /// All forms in the order in which they are offered.
 pub const FORMS: [Form; 4] = [Form::Additive, Form::Bilinear, Form::Frozen, Form::Printed];
 
-/// Name of a form.
-pub fn form_name(form: Form) -> &'static str {
-    match form {
-        Form::Printed => "As printed",
-        Form::Bilinear => "Bilinear",
-        Form::Frozen => "Frozen weights",
-        Form::Additive => "Additive",
-    }
-}
-
 /// Name of an embedding method.
 pub fn method_name(method: MapMethod) -> &'static str {
     match method {

@@ -35,7 +35,7 @@ pub fn patch_panel_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Com
 
 fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
     if !view.heading.is_empty() {
-        let little = view.standing == PatchStanding::LowThickening;
+        let little = view.standing == PatchStanding::RegionOnly;
         let colour = match view.rows.is_empty() || little {
             true => colours(ui).strong,
             false => colours(ui).selection,

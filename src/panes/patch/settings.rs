@@ -22,13 +22,13 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     ui.label(medium("Thresholds"));
     let now = view.settings.patches;
     let mut wanted = now;
-    let mut extent = 100.0 * now.extent;
+    let mut extent = 100.0 * now.extent_threshold;
     let what = "Thickening relative to remote myocardium below which tissue belongs to a patch; its core is \
                 below half of this";
     if slider_ui(ui, "Extent threshold", &mut extent, EXTENTS, what) {
         wanted = with_extent(now, 0.01 * extent);
     }
-    ui.add(egui::Label::new(note(extent_note(view.remote, now.extent))).wrap());
+    ui.add(egui::Label::new(note(extent_note(view.remote, now.extent_threshold))).wrap());
     let in_force = now.tolerance.or(view.tolerance);
     let mut tolerance = 100.0 * in_force.map_or(0.05, |ln| ln.exp() - 1.0);
     let what = "An atom is akinetic if the thickness ratio PT of two successive frames deviates from 1 \
@@ -57,8 +57,8 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
 fn with_extent(now: ThickeningParams, extent: f64) -> ThickeningParams {
     let default = ThickeningParams::default();
     ThickeningParams {
-        extent,
-        core: extent * default.core / default.extent,
+        extent_threshold: extent,
+        core_threshold: extent * default.core_threshold / default.extent_threshold,
         ..now
     }
 }

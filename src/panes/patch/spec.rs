@@ -1,4 +1,4 @@
-//! The pane in the window's table. Regions of low thickening, and the thresholds.
+//! The pane "Patch": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

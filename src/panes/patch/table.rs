@@ -125,7 +125,7 @@ fn row_ui(
         (index + 1).to_string(),
         note_font(),
         match standing {
-            PatchStanding::LowThickening => colours.muted,
+            PatchStanding::RegionOnly => colours.muted,
             _ => colours.selection,
         },
     );
@@ -152,7 +152,7 @@ fn row_ui(
         });
     }
     response.on_hover_text(match standing {
-        PatchStanding::LowThickening => "Select this region and centre the view on it",
+        PatchStanding::RegionOnly => "Select this region and centre the view on it",
         _ => "Select this patch and centre the view on it",
     });
 }

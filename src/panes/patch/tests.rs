@@ -24,7 +24,7 @@ impl Shown {
             rows,
             settings: ThickeningSettings::default(),
             heading,
-            standing: PatchStanding::Abnormal,
+            standing: PatchStanding::AbnormalPatch,
         }
     }
 }
@@ -96,7 +96,7 @@ fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
 fn a_region_of_low_thickening_without_a_verdict_of_a_patch_is_not_called_one() {
     let heading = "1 region of low thickening";
     let mut shown = Shown::with(WorkState::Ready, heading, vec![patch()]);
-    shown.standing = PatchStanding::LowThickening;
+    shown.standing = PatchStanding::RegionOnly;
     let shown = harness(shown);
     shown.get_by_label_contains("Region 1: Area 21 cm²");
     assert!(shown.query_by_label_contains("Patch 1").is_none());
@@ -142,7 +142,10 @@ fn the_border_moves_by_keyboard_and_takes_its_core_along() {
     let Some(Command::Wall(WallCommand::SetThickening(settings))) = commands.first() else {
         panic!("{commands:?}");
     };
-    let (core, extent) = (settings.patches.core, settings.patches.extent);
+    let (core, extent) = (
+        settings.patches.core_threshold,
+        settings.patches.extent_threshold,
+    );
     assert!(extent > 0.4, "{extent}");
     assert!((core / extent - 0.5).abs() < 1e-9);
     assert!(settings.patches.check().is_ok());

@@ -6,7 +6,9 @@ use crate::engine::{Showing, SubjectThickening};
 use crate::panes::patch::words::standing_note;
 use crate::panes::viewport::shown_subject::ShownSubject;
 use crate::panes::work_state::WorkState;
-use crate::picture::{extent_words, facing_patch, patch_heading, segment_words, smallest_words};
+use crate::picture::{
+    facing_patch, patch_heading, segment_words, smallest_words, wall_thickening_words,
+};
 use crate::render::Camera;
 use crate::report::PatchRow;
 
@@ -44,7 +46,7 @@ pub fn patch_view<'a>(state: &'a State, shown: Option<&ShownSubject>) -> PatchPa
         standing,
         heading: patch_heading(thickening, standing),
         note: [
-            extent_words(thickening),
+            wall_thickening_words(thickening),
             standing_note(state, thickening),
             sentences_after(&smallest_words(thickening)),
         ]

@@ -1,6 +1,6 @@
 //! What the window says of patches beside their numbers: the note over the picture, and why a part is not called abnormal.
 
-use crate::analysis::thickening::{Extent, Thickening};
+use crate::analysis::thickening::{Thickening, WallThickening};
 use crate::analysis::verdicts::Finding;
 use crate::document::state::State;
 use crate::panes::viewport::overlay::PatchNote;
@@ -16,11 +16,11 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
     }
     let verdict = state
         .verdict_of(subject)
-        .and_then(|told| told.as_ref().ok());
+        .and_then(|verdict| verdict.as_ref().ok());
     let why = match (state.patch_standing(subject), verdict.map(|v| v.finding)) {
-        (PatchStanding::Abnormal, _) => return String::new(),
+        (PatchStanding::AbnormalPatch, _) => return String::new(),
         (PatchStanding::NoVerdict, _) => "There is no verdict yet",
-        (PatchStanding::Patch, _) => "No classifier tells whether it is abnormal",
+        (PatchStanding::UnclassifiedPatch, _) => "No classifier tells whether it is abnormal",
         (_, Some(Finding::Nothing)) => {
             "Verdict: no regional abnormality; the wall thickens as in normal subjects"
         }
@@ -37,7 +37,7 @@ fn short_heading(heading: &str, standing: PatchStanding, shares: &[f64]) -> Stri
     let share = percent(shares.iter().sum());
     match (standing, shares.len()) {
         (_, 0) => heading.to_owned(),
-        (PatchStanding::LowThickening, _) => format!("low thickening {share}"),
+        (PatchStanding::RegionOnly, _) => format!("low thickening {share}"),
         (_, 1) => format!("patch {share}"),
         (_, count) => format!("{count} patches {share}"),
     }
@@ -106,8 +106,8 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
             });
         }
     }
-    let shares: Vec<f64> = match (one, thickening.extent) {
-        (_, Extent::HardlyAnywhere) => Vec::new(),
+    let shares: Vec<f64> = match (one, thickening.wall_thickening) {
+        (_, WallThickening::HardlyAnywhere) => Vec::new(),
         (Some((_, patch)), _) => vec![patch.share],
         (None, _) => (thickening.patches.iter())
             .map(|patch| patch.share)
@@ -117,7 +117,7 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
         short: short_heading(&heading, standing, &shares),
         heading,
         lines,
-        found: !thickening.patches.is_empty() && standing != PatchStanding::LowThickening,
+        found: !thickening.patches.is_empty() && standing != PatchStanding::RegionOnly,
     })
 }
 
@@ -128,11 +128,11 @@ mod tests {
     #[test]
     fn a_heading_without_room_still_tells_patches_from_none() {
         let short = |standing, shares: &[f64]| short_heading("No patch", standing, shares);
-        assert_eq!(short(PatchStanding::Abnormal, &[0.09]), "patch 9 %");
+        assert_eq!(short(PatchStanding::AbnormalPatch, &[0.09]), "patch 9 %");
         let several = short(PatchStanding::NoVerdict, &[0.09, 0.12]);
         assert_eq!(several, "2 patches 21 %");
-        let low = short(PatchStanding::LowThickening, &[0.08]);
+        let low = short(PatchStanding::RegionOnly, &[0.08]);
         assert_eq!(low, "low thickening 8 %");
-        assert_eq!(short(PatchStanding::LowThickening, &[]), "No patch");
+        assert_eq!(short(PatchStanding::RegionOnly, &[]), "No patch");
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{CursorIcon, Response, RichText, Ui};
 
-use crate::ui::marks::role_name;
+use crate::ui::marks::class_name;
 use crate::ui::style::note;
 
 use super::clusters::cluster_name;
@@ -34,7 +34,7 @@ fn card_ui(ui: &mut Ui, view: &ScatterView, point: &ScatterPoint) {
     ui.label(RichText::new(view.title(point)).strong());
     if let Some(subject) = view.subjects.get(point.subject) {
         let label = subject.label.as_deref().unwrap_or("no label");
-        ui.label(format!("{label}, class {}", role_name(subject.role)));
+        ui.label(format!("{label}, class {}", class_name(subject.class)));
         if let Some(words) = subject.ejection_fraction_in_words() {
             ui.label(words);
         }

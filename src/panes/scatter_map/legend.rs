@@ -38,7 +38,7 @@ pub fn legend_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
         let room = LABELS_SHARE * inner.width();
         sides.shrink_right().truncate().show(
             &mut row,
-            |ui| label_counts_ui(ui, view, room),
+            |ui| label_counts_ui(ui, view, room, inner.width()),
             |ui| {
                 let (whole, short) = (trust_text(view), view.note.as_str());
                 let cut = text_width(ui, &whole, note_font()) > ui.available_width();
@@ -63,7 +63,8 @@ pub fn legend_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
                 } else {
                     110.0
                 };
-                label_counts_ui(ui, view, inner.width() - beside);
+                let room = inner.width() - beside;
+                label_counts_ui(ui, view, room, room);
                 if let Some(filter) = filter_text(view) {
                     note_ui(ui, view, &filter);
                 } else if !view.left_out.is_empty() {
@@ -111,30 +112,63 @@ fn name_of(view: &ScatterView, subject: usize, mark: LabelMark) -> String {
     mark.name(row.and_then(|row| row.label.as_deref()))
 }
 
-/// Draws the entries; names are left to the hover where there is little room, and entries past the end to a last one.
-fn label_counts_ui(ui: &mut Ui, view: &ScatterView, room: f32) {
+/// What an entry says beside its mark.
+#[derive(Clone, Copy)]
+enum Words {
+    /// "DCM 20".
+    NameAndCount,
+    /// "DCM": whoever reads the map must know which mark is which.
+    Name,
+    /// "20".
+    Count,
+}
+
+impl Words {
+    fn of(self, entry: &Entry) -> String {
+        match self {
+            Self::NameAndCount => format!("{} {}", entry.name, entry.count),
+            Self::Name => entry.name.clone(),
+            Self::Count => entry.count.to_string(),
+        }
+    }
+
+    fn width(self, ui: &Ui, entry: &Entry) -> f32 {
+        ENTRY_BESIDE_TEXT + text_width(ui, &self.of(entry), note_font())
+    }
+
+    /// The most that fits; `beside` is the room where the note yields to names.
+    fn that_fit(ui: &Ui, entries: &[Entry], room: f32, beside: f32) -> (Self, f32) {
+        let width =
+            |words: Self| -> f32 { entries.iter().map(|entry| words.width(ui, entry)).sum() };
+        let fits = [
+            (Self::NameAndCount, room),
+            (Self::Name, room),
+            (Self::Name, beside),
+        ];
+        let fit = fits
+            .into_iter()
+            .find(|(words, room)| width(*words) <= *room);
+        fit.unwrap_or((Self::Count, room))
+    }
+}
+
+/// Draws the entries; counts, then names are left to the hover where there is little room, and entries past the end to a
+/// last one.
+fn label_counts_ui(ui: &mut Ui, view: &ScatterView, room: f32, beside: f32) {
     let entries = entries(view);
     ui.spacing_mut().item_spacing.x = space::SMALL;
-    let long = |entry: &Entry| format!("{} {}", entry.name, entry.count);
-    let short = |entry: &Entry| entry.count.to_string();
-    let width = |ui: &Ui, text: &str| ENTRY_BESIDE_TEXT + text_width(ui, text, note_font());
-    let whole: f32 = entries.iter().map(|entry| width(ui, &long(entry))).sum();
-    let mut left = room;
+    let long = |entry: &Entry| Words::NameAndCount.of(entry);
+    let (words, mut left) = Words::that_fit(ui, &entries, room, beside);
     for (index, entry) in entries.iter().enumerate() {
-        let text = if whole <= room {
-            long(entry)
-        } else {
-            short(entry)
-        };
         let last = index + 1 == entries.len();
-        left -= width(ui, &text);
+        left -= words.width(ui, entry);
         if left < if last { 0.0 } else { MORE_WIDTH } && index > 0 {
             let rest: Vec<String> = entries[index..].iter().map(long).collect();
             let more = ui.label(note(format!("+{}", rest.len())));
             more.on_hover_text(rest.join("\n"));
             return;
         }
-        entry_ui(ui, entry.mark, text, long(entry));
+        entry_ui(ui, entry.mark, words.of(entry), long(entry));
     }
 }
 

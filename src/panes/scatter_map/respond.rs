@@ -4,7 +4,7 @@
 use egui::{Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use crate::panes::commands::Command;
-use crate::ui::marks::role_name;
+use crate::ui::marks::class_name;
 use crate::ui::named_parts::{named_part, names_are_read};
 
 use super::brush::brush;
@@ -96,7 +96,7 @@ fn name_paths(ui: &Ui, view: &ScatterView, projection: &impl Projection, canvas:
         ui.interact(rect, id, Sense::hover()).widget_info(|| {
             let item = view.words.item;
             let path = view.path_name(&subject.id, point);
-            let name = format!("{item} of {path}, {}", role_name(subject.role));
+            let name = format!("{item} of {path}, {}", class_name(subject.class));
             WidgetInfo::selected(Role::ListItem, true, chosen, name)
         });
     }

@@ -8,9 +8,9 @@ use super::view::play;
 use super::*;
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::{BeatCommand, Command, MapCommand, WorkCommand};
+use crate::panes::commands::{Command, MapCommand, SelectCommand, WorkCommand};
 use crate::panes::work_state::WorkState;
-use crate::study::LabelRole;
+use crate::study::LabelClass;
 
 /// Points and subjects of a small map: two poses of P0, one of P1, one each of two patches of P2.
 pub struct Map {
@@ -20,10 +20,14 @@ pub struct Map {
 
 impl Default for Map {
     fn default() -> Self {
-        let roles = [LabelRole::Unknown, LabelRole::Normal, LabelRole::Abnormal];
-        let subject = |(index, role): (usize, LabelRole)| CohortRow {
+        let classes = [
+            LabelClass::Neither,
+            LabelClass::Normal,
+            LabelClass::Abnormal,
+        ];
+        let subject = |(index, class): (usize, LabelClass)| CohortRow {
             id: format!("P{index}"),
-            role,
+            class,
             ejection_fraction: Some(0.5),
             ..CohortRow::default()
         };
@@ -39,7 +43,7 @@ impl Default for Map {
             ..ScatterPoint::default()
         };
         Self {
-            subjects: roles.into_iter().enumerate().map(subject).collect(),
+            subjects: classes.into_iter().enumerate().map(subject).collect(),
             points: [
                 (0, None, 0, [-1.0, 0.0]),
                 (0, None, 1, [-0.5, 0.5]),
@@ -126,7 +130,7 @@ fn click(harness: &mut Shown, at: Pos2) {
 }
 
 fn played(subject: usize, frame: usize) -> Command {
-    Command::Beat(BeatCommand::SelectPose {
+    Command::Select(SelectCommand::SelectPose {
         subject,
         frame,
         play: true,

@@ -2,7 +2,7 @@
 
 use crate::engine::Topic;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{Command, SelectCommand};
 use crate::panes::work_state::WorkState;
 use crate::picture::share_words;
 use crate::ui::LabelMark;
@@ -36,7 +36,7 @@ pub struct MapWords {
 pub fn play(point: &ScatterPoint) -> Command {
     let (subject, frame) = (point.subject, point.start_frame);
     let play = true;
-    Command::Beat(BeatCommand::SelectPose {
+    Command::Select(SelectCommand::SelectPose {
         subject,
         frame,
         play,

@@ -1,4 +1,4 @@
-//! The pane in the window's table. The spatiotemporal plot: poses and time in three dimensions.
+//! The pane "3D plot": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

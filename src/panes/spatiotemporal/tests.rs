@@ -7,7 +7,7 @@ use egui::{Key, Pos2, vec2};
 use super::*;
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::{BeatCommand, Command, WorkCommand};
+use crate::panes::commands::{Command, SelectCommand, WorkCommand};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
 use crate::panes::work_state::WorkState;
 
@@ -67,7 +67,7 @@ fn a_click_on_a_curve_plays_that_subject_from_that_pose() {
     let mut harness = harness(WorkState::Ready);
     harness.get_by_label("Curve of P1, other").click();
     harness.run();
-    let wanted = Command::Beat(BeatCommand::SelectPose {
+    let wanted = Command::Select(SelectCommand::SelectPose {
         subject: 1,
         frame: 2,
         play: true,

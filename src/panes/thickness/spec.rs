@@ -1,4 +1,4 @@
-//! The pane in the window's table. Wall thickness by several methods.
+//! The pane "Thickness": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

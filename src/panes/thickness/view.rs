@@ -64,17 +64,17 @@ pub fn thickness_view<'a>(state: &'a State, poses: &[PoseThickness]) -> Thicknes
         .collect();
     let on_screen = state.document.frame();
     // While the motion plays, differences are those at end-systole, or at the last pose measured.
-    let told = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
+    let shown = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
     let rows: Vec<ThicknessRow> = methods()
         .filter(|_| !known.is_empty())
-        .map(|method| row(state, method, &known, told.map(|(_, found)| &***found)))
+        .map(|method| row(state, method, &known, shown.map(|(_, found)| &***found)))
         .collect();
     let strips = rows.iter().flat_map(|row| &row.strips);
     let greatest = strips.map(|strip| strip.quantiles[4]).fold(0.0, f64::max);
     ThicknessPanelView {
         subject: Some(&subject.id),
         state: standing(state, poses),
-        moment: told.map_or_else(String::new, |(frame, _)| moment(state, *frame)),
+        moment: shown.map_or_else(String::new, |(frame, _)| moment(state, *frame)),
         unit: subject.unit.length_symbol(),
         rows,
         max: 0.5 * nice_ceiling(2.0 * greatest),
@@ -121,7 +121,7 @@ fn row(
     state: &State,
     method: ComparedMethod,
     known: &[(usize, &Arc<FrameThickness>)],
-    told: Option<&FrameThickness>,
+    shown: Option<&FrameThickness>,
 ) -> ThicknessRow {
     let on_screen = state.document.frame();
     let strips = known.iter().filter_map(|(frame, found)| {
@@ -132,8 +132,8 @@ fn row(
             quantiles: quantiles(spread),
         })
     });
-    let told = told.and_then(|found| answer(found, method));
-    let agreement = told.and_then(|answer| answer.agreement);
+    let shown = shown.and_then(|found| answer(found, method));
+    let agreement = shown.and_then(|answer| answer.agreement);
     let mut reasons = known.iter().filter_map(|(_, found)| {
         let reason = answer(found, method)?.thickness.as_ref().err()?;
         Some(reason.clone())
@@ -148,9 +148,9 @@ fn row(
             pairs: agreement.pairs,
         }),
         reference: method == ComparedMethod::Medial,
-        seconds: told
-            .filter(|told| told.thickness.is_ok())
-            .map(|told| told.seconds),
+        seconds: shown
+            .filter(|shown| shown.thickness.is_ok())
+            .map(|shown| shown.seconds),
         reason: reasons.next_back(),
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{Button, Label, Role, Ui, WidgetInfo};
 
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{Command, SelectCommand};
 use crate::panes::verdict::{ClassifierReport, SimilarSubject, pair_ui};
 use crate::ui::style::{medium, note};
 use crate::ui::theme::space;
@@ -42,7 +42,7 @@ fn subject_ui(ui: &mut Ui, subject: &SimilarSubject, commands: &mut Vec<Command>
         subject.id, subject.label, subject.verdict
     );
     if button.on_hover_text(hover).clicked() {
-        commands.push(BeatCommand::SelectSubject(subject.subject).into());
+        commands.push(SelectCommand::SelectSubject(subject.subject).into());
     }
 }
 

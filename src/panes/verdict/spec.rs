@@ -1,4 +1,4 @@
-//! The pane in the window's table. The verdict on the selected subject, with its evidence.
+//! The pane "Verdict": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

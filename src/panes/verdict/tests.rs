@@ -4,7 +4,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 use crate::panes::verdict_marks::VerdictMark;
-use crate::panes::{BeatCommand, WorkCommand, WorkState};
+use crate::panes::{SelectCommand, WorkCommand, WorkState};
 
 fn report() -> VerdictReport {
     let subject = |subject: usize, id: &str| SimilarSubject {
@@ -99,7 +99,7 @@ fn a_similar_subject_is_selected_by_a_click() {
     shown.run();
     shown.get_by_label("Select P03, a similar subject").click();
     shown.run();
-    let wanted = [4, 11].map(|subject| Command::Beat(BeatCommand::SelectSubject(subject)));
+    let wanted = [4, 11].map(|subject| Command::Select(SelectCommand::SelectSubject(subject)));
     assert_eq!(shown.into_state(), wanted);
 }
 

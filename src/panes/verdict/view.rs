@@ -11,7 +11,7 @@ use crate::panes::verdict::evidence_rows::{evidence, written};
 use crate::panes::verdict_marks::VerdictMark;
 use crate::panes::work_state::WorkState;
 use crate::picture::percent;
-use crate::study::LabelRole;
+use crate::study::LabelClass;
 use crate::ui::text::p_text;
 
 use super::values::*;
@@ -77,7 +77,8 @@ fn report(state: &State) -> Option<VerdictReport> {
 
 fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictReport {
     let study = state.document.study();
-    let role = (state.document.selected()).map_or(LabelRole::Unknown, |shown| study.role(shown));
+    let class =
+        (state.document.selected()).map_or(LabelClass::Neither, |shown| study.class_of(shown));
     VerdictReport {
         mark: mark(verdict.finding),
         heading: heading(verdict),
@@ -87,7 +88,7 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
             .collect(),
         reasons: reasons(verdict),
         probability: Some(verdict.probability),
-        source: match (&verdicts.classifier, role) {
+        source: match (&verdicts.classifier, class) {
             (
                 ClassifierSource::Rule(RuleSource {
                     labelled: Some(_), ..
@@ -95,7 +96,7 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
                 _,
             ) => "Built-in classifier: too few labelled subjects",
             (ClassifierSource::Rule(_), _) => "Classifier of another study, from a file",
-            (ClassifierSource::Cohort { .. }, LabelRole::Unknown) => {
+            (ClassifierSource::Cohort { .. }, LabelClass::Neither) => {
                 "Classifier trained on the labelled subjects; this subject has no class"
             }
             (ClassifierSource::Cohort { .. }, _) => {
@@ -117,7 +118,7 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
 fn mark(finding: Finding) -> VerdictMark {
     match finding {
         Finding::Nothing => VerdictMark::NoAbnormality,
-        Finding::Patch => VerdictMark::Patch,
+        Finding::AbnormalPatch => VerdictMark::Patch,
         Finding::GlobalHypokinesia => VerdictMark::GlobalHypokinesia,
         Finding::WithoutPatch => VerdictMark::AbnormalWithoutPatch,
     }
@@ -127,7 +128,7 @@ fn mark(finding: Finding) -> VerdictMark {
 fn heading(verdict: &Verdict) -> String {
     match verdict.finding {
         _ if !verdict.wall => crate::picture::sentence(verdict.words()),
-        finding @ Finding::Patch => {
+        finding @ Finding::AbnormalPatch => {
             let name = crate::picture::sentence(finding.name());
             format!("{name} · {} of the LV", percent(verdict.patched))
         }
@@ -146,7 +147,7 @@ fn sentence(verdict: &Verdict) -> String {
                 .to_owned()
         }
         Finding::Nothing => format!("The heart is as those of the normal subjects{little}"),
-        Finding::Patch => {
+        Finding::AbnormalPatch => {
             "Thickening in part of the wall is far below that of remote myocardium".to_owned()
         }
         Finding::GlobalHypokinesia => {
@@ -237,7 +238,7 @@ pub fn cohort_verdict(state: &State, subject: usize) -> Option<CohortVerdict> {
             );
             CohortVerdict {
                 mark: mark(verdict.finding),
-                share: (verdict.finding == Finding::Patch).then_some(verdict.patched),
+                share: (verdict.finding == Finding::AbnormalPatch).then_some(verdict.patched),
                 probability: Some(verdict.probability),
                 words: format!("Verdict: {}, {number}", lower_first(&heading(verdict))),
             }

@@ -1,4 +1,4 @@
-//! The pane in the window's table. The 3D view.
+//! The pane "3D view": its word, title, place and how it is drawn.
 
 use egui::Ui;
 

@@ -7,7 +7,7 @@ use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
 use crate::document::ViewMode;
 use crate::panes::{
-    BeatCommand, Command, EditCommand, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
+    Command, EditCommand, SelectCommand, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
     subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
@@ -227,7 +227,7 @@ impl Viewport {
             .filter(|_| response.clicked())?;
         let tile = tiles.iter().find(|tile| tile.rect.contains(at))?;
         // The subject on screen may still be the one before.
-        (self.mode == ViewMode::AllFrames).then_some(Command::Beat(BeatCommand::SelectPose {
+        (self.mode == ViewMode::AllFrames).then_some(Command::Select(SelectCommand::SelectPose {
             subject: tile.shown.index,
             frame: tile.shown.position as usize,
             play: false,
@@ -258,7 +258,7 @@ impl Viewport {
             let settings = tile.shown.settings(settings);
             let mut picture = scene_with_extras(prepared, tile.shown.extras(), &settings, pose);
             let scene = std::mem::take(&mut picture.scene);
-            let same = |(_, told): &(usize, SubjectScene)| told.legend == picture.legend;
+            let same = |(_, other): &(usize, SubjectScene)| other.legend == picture.legend;
             if picture.legend.is_some() && !legends.iter().any(same) {
                 legends.push((place, picture));
             }
@@ -341,13 +341,11 @@ fn targets_ui(
         let Some(subject) = state.subject(tile.shown.index) else {
             continue;
         };
-        let fits = subject.sequence.correspondence() == source.sequence.correspondence();
         let target = SubjectTarget {
             rect: tile.rect,
             subject: tile.shown.index,
             id: &subject.id,
-            // Any other number says that they do not correspond.
-            correspondence: dragged.correspondence + usize::from(!fits),
+            corresponds: subject.sequence.correspondence() == source.sequence.correspondence(),
         };
         subject_target_ui(ui, response, &target, commands);
     }

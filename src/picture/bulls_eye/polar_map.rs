@@ -37,7 +37,7 @@ impl PolarMap {
         let beat = &wall.beat;
         let rest = beat.frames.get(wall.thickening.end_diastole)?;
         let axis = wall.axis?;
-        let centres: Vec<Point3> = rest.atoms.iter().map(|atom| atom.position).collect();
+        let centres = rest.positions();
         let places: Vec<Polar> = centres.iter().map(|&centre| polar(&axis, centre)).collect();
         let triangles = beat.faces.triangles();
         let map = flat_map(&places, &centres, triangles);

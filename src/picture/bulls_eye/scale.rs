@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::picture::colour_map::ColourMap;
+use crate::picture::colour_ranges::CohortLimits;
 use crate::picture::legend::colour_map;
-use crate::picture::limits::CohortLimits;
 use crate::picture::quantity::Quantity;
 use crate::picture::ticks::{logarithmic_ticks, nice_ticks, ratio_text, tick_text};
 use crate::render::ColourLimits;

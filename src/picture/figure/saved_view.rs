@@ -103,7 +103,7 @@ pub struct SavedShows {
     pub direction: bool,
 }
 
-/// Why a picture's view cannot be taken up.
+/// Why a picture's view cannot be restored.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SavedViewError {
     /// No description, or a damaged one.
@@ -307,7 +307,7 @@ mod tests {
     #[test]
     fn a_view_comes_back_from_its_text() {
         let mut view = view();
-        view.thickening.patches.extent = 0.55;
+        view.thickening.patches.extent_threshold = 0.55;
         assert_eq!(SavedView::read(&view.text()).unwrap(), view);
         assert_eq!(view.part(), Some(WallPart::Patch(1)));
     }

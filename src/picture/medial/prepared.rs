@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use crate::analysis::medial::MedialBeat;
 use crate::mesh::Point3;
-use crate::picture::numbers::SurfaceScalars;
 use crate::picture::origin::PictureOrigin;
 use crate::picture::prepared::PreparedSubject;
 use crate::picture::quantity::Quantity;
+use crate::picture::surface_scalars::SurfaceScalars;
 use crate::render::{Geometry, GeometryPose, VertexScalars};
 use crate::study::{Subject, SurfaceSequence};
 

@@ -45,10 +45,10 @@ fn the_outer_wall_takes_the_number_of_the_atom_whose_spoke_ends_there() {
     for role in [SurfaceRole::Inner, SurfaceRole::Outer] {
         let values = &numbers.of(role).unwrap().values;
         assert_eq!(values.len(), 2);
-        let told: Vec<f32> = values[1].iter().copied().filter(|v| !v.is_nan()).collect();
-        assert!(told.len() > values[1].len() / 2);
+        let known: Vec<f32> = values[1].iter().copied().filter(|v| !v.is_nan()).collect();
+        assert!(known.len() > values[1].len() / 2);
         // The wall is 8 thick, then 12.
-        assert!(told.iter().all(|ratio| (ratio - 1.5).abs() < 0.05));
+        assert!(known.iter().all(|ratio| (ratio - 1.5).abs() < 0.05));
         let rest = values[0].iter().filter(|v| !v.is_nan());
         assert!(rest.into_iter().all(|&ratio| ratio == 1.0));
     }

@@ -40,7 +40,7 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
                 Some(Ok(verdict)) => [
                     finding,
                     probability_words(verdict.probability),
-                    if verdict.finding == Finding::Patch {
+                    if verdict.finding == Finding::AbnormalPatch {
                         percent(verdict.patched)
                     } else {
                         none()
@@ -79,7 +79,7 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
             .count()
     };
     let mut parts: Vec<String> = [
-        Finding::Patch,
+        Finding::AbnormalPatch,
         Finding::GlobalHypokinesia,
         Finding::WithoutPatch,
         Finding::Nothing,
@@ -136,7 +136,7 @@ pub(super) fn classifier(verdicts: &Verdicts) -> String {
     words
 }
 
-/// How well the labels are told apart by whole deformations; `None` where there are too few.
+/// How well the labels are classified on whole deformations; `None` where there are too few.
 pub(super) fn classes(classes: &Classes) -> Option<String> {
     let of = |name: &str, found: Option<Accuracy>| {
         let found = found?;

@@ -20,7 +20,7 @@ pub struct ReportOrder<'a> {
     pub poses: Option<&'a PoseMap>,
     /// The map of whole deformations.
     pub deformations: Option<&'a DeformationMap>,
-    /// How well the labels are told apart by it.
+    /// How well the labels are classified on it.
     pub classes: Option<&'a Classes>,
     /// How all of it was made, in words.
     pub parameters: &'a [String],

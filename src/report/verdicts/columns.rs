@@ -1,8 +1,8 @@
 //! Columns of the table of verdicts.
 
 use super::VerdictRow;
-use crate::analysis::verdicts::Feature;
-use crate::report::column::{Cell, Column, column};
+use crate::analysis::verdicts::{Feature, FeatureUnit};
+use crate::report::column::{Cell, Column, Named, column};
 use crate::report::measures::some;
 use crate::report::shared;
 use crate::report::table::Row;
@@ -18,8 +18,32 @@ fn listed(subjects: &[String]) -> Cell<'static> {
     subjects.join(" ").into()
 }
 
-fn feature(row: &VerdictRow, feature: Feature) -> Cell<'static> {
-    row.features.get(feature).into()
+/// The column of a feature, whose heading, unit and explanation stand in the table of features.
+macro_rules! of_feature {
+    ($key:literal, $feature:ident) => {
+        described(
+            Feature::$feature,
+            column($key, Feature::$feature.name(), |row: &Self| {
+                row.features.get(Feature::$feature).into()
+            }),
+        )
+    };
+}
+
+const fn described(feature: Feature, named: Named<VerdictRow>) -> Column<VerdictRow> {
+    let explanation = feature.explanation();
+    match feature.unit() {
+        FeatureUnit::Share => named.share(explanation),
+        FeatureUnit::Ratio => named.plain(explanation),
+        FeatureUnit::PoseDistance => named.coordinate(explanation),
+        unit @ FeatureUnit::Sizes => named.coordinate(explanation).in_unit(unit.symbol()),
+        unit @ (FeatureUnit::LnPt
+        | FeatureUnit::Radians
+        | FeatureUnit::Millimetres
+        | FeatureUnit::MillilitresPerSquareMetre
+        | FeatureUnit::GramsPerSquareMetre
+        | FeatureUnit::GramsPerMillilitre) => named.plain(explanation).in_unit(unit.symbol()),
+    }
 }
 
 impl Row for VerdictRow {
@@ -74,105 +98,20 @@ impl Row for VerdictRow {
             "Median over the training set of the distance to its nearest other subject, in \
                      standard deviations of the model features",
         ),
-        column("still_share", Feature::AkineticShare.name(), |row: &Self| {
-            feature(row, Feature::AkineticShare)
-        })
-        .share(
-            "Share of the wall with thickening below 10 % from end-diastole to end-systole \
-                     (akinetic)",
-        ),
-        column("median_ln_pt", Feature::Median.name(), |row: &Self| {
-            feature(row, Feature::Median)
-        })
-        .plain(
-            "Area-weighted median over the wall of ln PT from end-diastole to \
-                     end-systole",
-        )
-        .in_unit("ln PT"),
-        column("spread_ln_pt", Feature::Spread.name(), |row: &Self| {
-            feature(row, Feature::Spread)
-        })
-        .plain("Area-weighted standard deviation over the wall of ln PT")
-        .in_unit("ln PT"),
-        column(
-            "relative_spread",
-            Feature::RelativeSpread.name(),
-            |row: &Self| feature(row, Feature::RelativeSpread),
-        )
-        .plain(
-            "Standard deviation of ln PT over the wall relative to ln PT of the remote \
-                     myocardium, which counts as at least ln 1.1",
-        ),
-        column(
-            "weakest_tenth_ln_pt",
-            Feature::TenthPercentile.name(),
-            |row: &Self| feature(row, Feature::TenthPercentile),
-        )
-        .plain("Area-weighted 10th percentile over the wall of ln PT")
-        .in_unit("ln PT"),
-        column("well_ln_pt", Feature::Remote.name(), |row: &Self| {
-            feature(row, Feature::Remote)
-        })
-        .plain("ln PT of the remote myocardium from end-diastole to end-systole")
-        .in_unit("ln PT"),
-        column("reach_ln_pt", Feature::UpperRange.name(), |row: &Self| {
-            feature(row, Feature::UpperRange)
-        })
-        .plain(
-            "ln PT of the remote myocardium plus twice the standard deviation \
-                     over the wall",
-        )
-        .in_unit("ln PT"),
-        column("patch_share", Feature::PatchShare.name(), |row: &Self| {
-            feature(row, Feature::PatchShare)
-        })
-        .share("Share of the wall in patches, each weighted by its detection stability"),
-        column("patch_confidence", Feature::Confidence.name(), |row: &Self| {
-            feature(row, Feature::Confidence)
-        })
-        .share(
-            "Detection stability of the largest patch: share of noise redraws in which it \
-                     is detected again; 0 without a patch",
-        ),
-        column(
-            "patch_relative_thickening",
-            Feature::PatchThickening.name(),
-            |row: &Self| feature(row, Feature::PatchThickening),
-        )
-        .plain(
-            "ln PT of the largest patch relative to that of the remote myocardium; 1 \
-                     without a patch",
-        ),
-        column("patch_compactness", Feature::Compactness.name(), |row: &Self| {
-            feature(row, Feature::Compactness)
-        })
-        .plain(
-            "Compactness of the largest patch, 4π × area / perimeter², at most 1; 0 without \
-                     a patch",
-        ),
-        column("pose_distance", Feature::MeanPoseDistance.name(), |row: &Self| {
-            feature(row, Feature::MeanPoseDistance)
-        })
-        .plain(
-            "Mean distance between poses in the medial shape space, of the largest patch \
-                     or, without one, of all akinetic atoms",
-        ),
-        column("normal_spread_rad", Feature::NormalSpread.name(), |row: &Self| {
-            feature(row, Feature::NormalSpread)
-        })
-        .plain(
-            "Angular standard deviation of the average normal vector (ANV) over the \
-                     beat",
-        )
-        .in_unit("rad"),
-        column("gap_sizes", Feature::MeanPositionDistance.name(), |row: &Self| {
-            feature(row, Feature::MeanPositionDistance)
-        })
-        .coordinate(
-            "Mean distance of the mean position \
-                     (MP) from the medial surface, relative to the size of the medial surface",
-        )
-        .in_unit("× size"),
+        of_feature!("still_share", AkineticShare),
+        of_feature!("median_ln_pt", Median),
+        of_feature!("spread_ln_pt", Spread),
+        of_feature!("relative_spread", RelativeSpread),
+        of_feature!("weakest_tenth_ln_pt", TenthPercentile),
+        of_feature!("well_ln_pt", Remote),
+        of_feature!("reach_ln_pt", UpperRange),
+        of_feature!("patch_share", PatchShare),
+        of_feature!("patch_confidence", Confidence),
+        of_feature!("patch_relative_thickening", PatchThickening),
+        of_feature!("patch_compactness", Compactness),
+        of_feature!("pose_distance", MeanPoseDistance),
+        of_feature!("normal_spread_rad", NormalSpread),
+        of_feature!("gap_sizes", MeanPositionDistance),
         column("outside_range", "Outside adult range", |row: &Self| {
             some(&row.outside_range)
         })
@@ -180,98 +119,20 @@ impl Row for VerdictRow {
             "Measures outside the range of healthy adults, as in subjects.csv: a wall without a \
                      regional finding may still belong to a failing ventricle",
         ),
-        column("ejection_fraction", Feature::EjectionFraction.name(), |row: &Self| {
-            feature(row, Feature::EjectionFraction)
-        })
-        .share(
-            "Stroke volume over end-diastolic volume",
-        ),
-        column("edv_index", Feature::EdvIndex.name(), |row: &Self| {
-            feature(row, Feature::EdvIndex)
-        })
-        .plain(
-            "End-diastolic volume over body surface (Mosteller); empty without height and weight",
-        )
-        .in_unit("ml/m²"),
-        column("esv_index", Feature::EsvIndex.name(), |row: &Self| {
-            feature(row, Feature::EsvIndex)
-        })
-        .plain(
-            "End-systolic volume over body surface; empty without height and weight",
-        )
-        .in_unit("ml/m²"),
-        column("mass_index", Feature::MassIndex.name(), |row: &Self| {
-            feature(row, Feature::MassIndex)
-        })
-        .plain(
-            "Mass of the myocardium over body surface; empty without height and weight",
-        )
-        .in_unit("g/m²"),
-        column("mass_to_edv", Feature::MassToVolume.name(), |row: &Self| {
-            feature(row, Feature::MassToVolume)
-        })
-        .plain(
-            "Mass of the myocardium over end-diastolic volume",
-        )
-        .in_unit("g/ml"),
-        column("wall_ed_mm", Feature::WallEd.name(), |row: &Self| {
-            feature(row, Feature::WallEd)
-        })
-        .plain(
-            "Area-weighted median of wall thickness (diameter of medial spheres) at end-diastole",
-        )
-        .in_unit("mm"),
-        column("wall_p95_ed_mm", Feature::ThickestEd.name(), |row: &Self| {
-            feature(row, Feature::ThickestEd)
-        })
-        .plain(
-            "Area-weighted 95th percentile of wall thickness at end-diastole",
-        )
-        .in_unit("mm"),
-        column("wall_ratio_ed", Feature::ThicknessRatio.name(), |row: &Self| {
-            feature(row, Feature::ThicknessRatio)
-        })
-        .plain(
-            "95th percentile of wall thickness at end-diastole over its median",
-        ),
-        column("wall_es_mm", Feature::WallEs.name(), |row: &Self| {
-            feature(row, Feature::WallEs)
-        })
-        .plain(
-            "Area-weighted median of wall thickness at end-systole",
-        )
-        .in_unit("mm"),
-        column("wall_p95_es_mm", Feature::ThickestEs.name(), |row: &Self| {
-            feature(row, Feature::ThickestEs)
-        })
-        .plain(
-            "Area-weighted 95th percentile of wall thickness at end-systole",
-        )
-        .in_unit("mm"),
-        column("sphericity_ed", Feature::SphericityEd.name(), |row: &Self| {
-            feature(row, Feature::SphericityEd)
-        })
-        .plain(
-            "Volume of the cavity at end-diastole over that of a sphere whose diameter is the long axis",
-        ),
-        column("sphericity_es", Feature::SphericityEs.name(), |row: &Self| {
-            feature(row, Feature::SphericityEs)
-        })
-        .plain(
-            "The same at end-systole",
-        ),
-        column("inward_sd", Feature::InwardSpread.name(), |row: &Self| {
-            feature(row, Feature::InwardSpread)
-        })
-        .plain(
-            "Area-weighted standard deviation over the inner surface of its motion towards the centroid from end-diastole to end-systole, over the distance there",
-        ),
-        column("inward_p10", Feature::InwardTenth.name(), |row: &Self| {
-            feature(row, Feature::InwardTenth)
-        })
-        .plain(
-            "Area-weighted 10th percentile of the same motion",
-        ),
+        of_feature!("ejection_fraction", EjectionFraction),
+        of_feature!("edv_index", EdvIndex),
+        of_feature!("esv_index", EsvIndex),
+        of_feature!("mass_index", MassIndex),
+        of_feature!("mass_to_edv", MassToVolume),
+        of_feature!("wall_ed_mm", WallEd),
+        of_feature!("wall_p95_ed_mm", ThickestEd),
+        of_feature!("wall_ratio_ed", ThicknessRatio),
+        of_feature!("wall_es_mm", WallEs),
+        of_feature!("wall_p95_es_mm", ThickestEs),
+        of_feature!("sphericity_ed", SphericityEd),
+        of_feature!("sphericity_es", SphericityEs),
+        of_feature!("inward_sd", InwardSpread),
+        of_feature!("inward_p10", InwardTenth),
         column("kind", "Most probable label", |row: &Self| {
             row.kind.as_deref().into()
         })

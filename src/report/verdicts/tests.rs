@@ -74,18 +74,28 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
     assert_eq!(&columns[12 + names.len()], "outside_range");
     for (place, (feature, name)) in (12_usize..).zip(names) {
         assert_eq!(&columns[place], name);
-        let told = features.get(feature).unwrap();
-        assert_eq!(row[place].parse::<f64>().unwrap(), told, "{name}");
+        let value = features.get(feature).unwrap();
+        assert_eq!(row[place].parse::<f64>().unwrap(), value, "{name}");
     }
+    let place = columns
+        .iter()
+        .position(|name| name == "ejection_fraction")
+        .unwrap();
+    let measured = measure_subject(ill);
+    assert_eq!(
+        row[place].parse::<f64>().unwrap(),
+        measured.ef.unwrap(),
+        "as in subjects.csv"
+    );
     // Confidence and compactness of a round patch are both 1; all others differ.
-    let told: std::collections::HashSet<&str> = row.iter().skip(12).take(names.len()).collect();
-    assert!(told.len() + 1 >= names.len(), "{row:?}");
+    let distinct: std::collections::HashSet<&str> = row.iter().skip(12).take(names.len()).collect();
+    assert!(distinct.len() + 1 >= names.len(), "{row:?}");
 }
 
 #[test]
 fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
     let verdict = Verdict {
-        finding: Finding::Patch,
+        finding: Finding::AbnormalPatch,
         abnormal: true,
         probability: 0.1 + 0.2,
         features: Features::default(),
@@ -146,7 +156,7 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
         rows[0].iter().take(6).collect::<Vec<_>>().join("|"),
         "P, 1|MINF|abnormal|0.30000000000000004|yes|"
     );
-    assert_eq!(cell(0, "finding"), Finding::Patch.name());
+    assert_eq!(cell(0, "finding"), Finding::AbnormalPatch.name());
     assert_eq!(
         ["kind", "kind_probability", "kind_probabilities", "reasons"].map(|name| cell(0, name)),
         ["MINF", "0.75", "MINF 0.750", "Akinetic region +1.50"]

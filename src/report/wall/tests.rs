@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::*;
 use crate::analysis::medial::{Atom, MedialSurface};
-use crate::analysis::thickening::{Extent, Patch, PatchSegment, TemporalConsistency};
+use crate::analysis::thickening::{Patch, PatchSegment, TemporalConsistency, WallThickening};
 use crate::mesh::{Faces, Point3};
 use crate::report::SegmentRow;
 use crate::report::wall_json::wall_json;
@@ -61,7 +61,7 @@ fn found(unit: LengthUnit) -> Thickening {
         averaged_noise: 0.01,
         regular_area: 100.0,
         size: 10.0,
-        extent: Extent::AllButPatches,
+        wall_thickening: WallThickening::AllButPatches,
         smallest: None,
         patches: vec![Patch {
             atoms: vec![0, 3],

@@ -152,7 +152,7 @@ impl Copies {
         let mut notices = Vec::new();
         let groups = self.groups();
         if !groups.is_empty() {
-            let told = (groups.iter().take(LISTED))
+            let texts = (groups.iter().take(LISTED))
                 .map(|group| {
                     let ids = group.iter().take(LISTED).map(|&s| id(s).to_owned());
                     listed(ids.collect(), group.len(), " = ")
@@ -160,12 +160,12 @@ impl Copies {
                 .collect();
             notices.push(Notice::warning(format!(
                 "the same meshes under several ids: {}; classifiers count each subject once, so that none is tested on a copy of itself{}",
-                listed(told, groups.len(), ", "),
+                listed(texts, groups.len(), ", "),
                 differing_labels(&groups, subjects)
             )));
         }
         if !self.overlapping.is_empty() {
-            let told = (self.overlapping.iter().take(LISTED))
+            let texts = (self.overlapping.iter().take(LISTED))
                 .map(|&(a, b, frames)| {
                     let frames = counted(frames, "frame", "frames");
                     format!("{} and {} ({frames})", id(a), id(b))
@@ -173,7 +173,7 @@ impl Copies {
                 .collect();
             notices.push(Notice::warning(format!(
                 "subjects with some frames in common, perhaps one subject under two ids: {}",
-                listed(told, self.overlapping.len(), ", ")
+                listed(texts, self.overlapping.len(), ", ")
             )));
         }
         notices

@@ -42,7 +42,7 @@ impl FaceListing {
 
     /// What the load report says, if there are any.
     pub fn notices(&self, kind: SurfaceKind) -> Vec<Notice> {
-        let told = |frames: &[usize], how: &str| {
+        let texts = |frames: &[usize], how: &str| {
             (!frames.is_empty()).then(|| {
                 Notice::info(format!(
                     "{}: the same faces as in frame 0, but {how}, in {}; vertices correspond by their numbers, and frame 0's faces are used",
@@ -51,10 +51,10 @@ impl FaceListing {
                 ))
             })
         };
-        told(&self.reordered, "in another order")
+        texts(&self.reordered, "in another order")
             .into_iter()
-            .chain(told(&self.rewound, "wound the other way round"))
-            .chain(told(
+            .chain(texts(&self.rewound, "wound the other way round"))
+            .chain(texts(
                 &self.recut,
                 "with quadrilaterals cut along the other diagonal",
             ))
@@ -86,19 +86,19 @@ mod tests {
             }),
             relisted(&ball, |faces| faces.iter_mut().for_each(|f| f.swap(0, 1))),
         ];
-        let told: Vec<String> = FaceListing::of(&frames)
+        let texts: Vec<String> = FaceListing::of(&frames)
             .notices(SurfaceKind::Cavity)
             .into_iter()
             .map(|notice| notice.text)
             .collect();
-        assert_eq!(told.len(), 2);
+        assert_eq!(texts.len(), 2);
         assert!(
-            told[0].contains("in another order, in frames 1, 2"),
-            "{told:?}"
+            texts[0].contains("in another order, in frames 1, 2"),
+            "{texts:?}"
         );
         assert!(
-            told[1].contains("wound the other way round, in frame 3"),
-            "{told:?}"
+            texts[1].contains("wound the other way round, in frame 3"),
+            "{texts:?}"
         );
         let surface = SurfaceSequence::new(SurfaceKind::Cavity, frames).unwrap();
         assert!(

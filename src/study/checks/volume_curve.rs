@@ -9,13 +9,14 @@ const MIN_FRAMES: usize = 10;
 /// Steps count as jumps beyond this share of the largest volume times the steps of a cycle: peak filling is at most
 /// some five end-diastolic volumes a second, and a cycle takes about a second. A normal cycle of 25 frames has 2.6.
 const MAX_RATE: f64 = 6.0;
-/// Or beyond this share of it, the mean of early filling, …
+/// A step alone counts as a jump beyond this share of the largest volume times the steps of a cycle: the mean of early
+/// filling.
 const MIN_RATE: f64 = 3.5;
-/// … and of the largest volume, …
+/// A step alone must also be this share of the largest volume, and so must what sets a frame apart from both neighbours.
 const MIN_JUMP: f64 = 0.18;
-/// … where the steps before and after it are less than half as large: filling and ejection take several frames.
+/// A step is alone where it is so many times those before and after it: filling and ejection take several frames.
 const ALONE: f64 = 2.0;
-/// And a frame is apart from both neighbours where it is this many times further from them than the curve goes around it.
+/// A frame is apart from both neighbours where it is this many times further from them than the curve goes around it.
 const SPIKE: f64 = 3.0;
 /// Systole takes no more than this share of a cycle, but for the distance of two frames. At rest it is a third.
 const MAX_SYSTOLE: f64 = 0.5;
@@ -83,7 +84,7 @@ impl VolumeCurve {
         let number = |frame: usize| format!("{:.1}", self.volumes[frame]);
         let mut notices = Vec::new();
         if !self.spikes.is_empty() {
-            let told = self.spikes.iter().map(|&frame| {
+            let texts = self.spikes.iter().map(|&frame| {
                 format!(
                     "{} {} in frame {frame} between {} and {}",
                     number(frame),
@@ -94,11 +95,11 @@ impl VolumeCurve {
             });
             notices.push(Notice::warning(format!(
                 "the cavity's volume jumps in single frames, as no ventricle does: {}; these frames may be damaged, of another scale or of another subject",
-                listed(told.collect())
+                listed(texts.collect())
             )));
         }
         if !self.jumps.is_empty() {
-            let told = self.jumps.iter().map(|&frame| {
+            let texts = self.jumps.iter().map(|&frame| {
                 let (from, to) = (number(frame), number(frame + 1));
                 format!(
                     "{from} to {to} {} from frame {frame} to {}",
@@ -108,7 +109,7 @@ impl VolumeCurve {
             });
             notices.push(Notice::warning(format!(
                 "the cavity's volume jumps between neighbouring frames, faster than a ventricle fills or empties: {}; frames may be missing, in another order, or of another subject",
-                listed(told.collect())
+                listed(texts.collect())
             )));
         }
         if let Some(frame) = self.late_end_systole {
@@ -221,7 +222,7 @@ mod tests {
     use crate::units::LengthUnit;
 
     /// Notices on a cavity of these volumes in ml.
-    fn told(volumes: &[f64]) -> Vec<Notice> {
+    fn notices_of(volumes: &[f64]) -> Vec<Notice> {
         let ball = phantom::sphere(2, 1.0);
         let exact = enclosed_volume(ball.vertices(), ball.triangles(), &[]);
         let frames = volumes
@@ -248,15 +249,15 @@ mod tests {
 
     #[test]
     fn measured_cycles_bring_no_notice() {
-        assert!(told(&CINE).is_empty());
+        assert!(notices_of(&CINE).is_empty());
         for gates in GATES {
-            assert!(told(&gates).is_empty());
+            assert!(notices_of(&gates).is_empty());
         }
-        assert!(told(&[120.0, 50.0]).is_empty());
-        assert!(told(&[120.0]).is_empty());
+        assert!(notices_of(&[120.0, 50.0]).is_empty());
+        assert!(notices_of(&[120.0]).is_empty());
         // Tachycardia with a strong atrial contraction, in ten frames.
         let fast = [100.0, 84.0, 62.0, 45.0, 38.0, 50.0, 68.0, 78.0, 81.0, 84.0];
-        assert!(told(&fast).is_empty());
+        assert!(notices_of(&fast).is_empty());
     }
 
     #[test]
@@ -267,7 +268,7 @@ mod tests {
         }
         cycle[14] = 118.6;
         cycle[15] = 165.1;
-        let found = told(&cycle);
+        let found = notices_of(&cycle);
         assert_eq!(found.len(), 1, "{found:?}");
         assert!(
             found[0]
@@ -281,7 +282,7 @@ mod tests {
     fn a_frame_of_another_scale_is_told_as_one_frame() {
         let mut cycle = CINE;
         cycle[6] *= 2.1;
-        let found = told(&cycle);
+        let found = notices_of(&cycle);
         assert_eq!(found.len(), 1, "{found:?}");
         assert!(found[0].text.contains("in frame 6 between"), "{found:?}");
     }
@@ -290,14 +291,14 @@ mod tests {
     fn an_end_systole_later_than_systole_lasts_is_told() {
         let mut late: Vec<f64> = CINE.to_vec();
         late.reverse();
-        let found = told(&late);
+        let found = notices_of(&late);
         assert_eq!(found.len(), 1, "{found:?}");
         assert!(
             found[0].text.contains("least volume is in frame 15, 60 %"),
             "{found:?}"
         );
         let only_systole: Vec<f64> = (0..12).map(|i| 120.0 - 5.0 * f64::from(i)).collect();
-        let found = told(&only_systole);
+        let found = notices_of(&only_systole);
         assert!(
             found.len() == 1 && found[0].severity == crate::study::Severity::Info,
             "{found:?}"

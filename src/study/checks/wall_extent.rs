@@ -11,9 +11,9 @@ const MAX_THICKNESS_MM: f64 = 25.0;
 /// Share of the epicardium that may lie further out: a hypertrophic septum may, but a third of the wall may not.
 const MAX_SHARE: f64 = 0.1;
 /// Where the unit is not known: the ninth decile of distances over their median, which is 2.1 at most in the
-/// same walls and 1.5 in gated SPECT; a right ventricle enclosed on one side makes it 2.5 and more …
+/// same walls and 1.5 in gated SPECT; a right ventricle enclosed on one side makes it 2.5 and more.
 const MAX_DECILE_OVER_MEDIAN: f64 = 2.3;
-/// … while that decile reaches this share of the radius of a ball as large as the cavity (0.55 at most).
+/// Where the unit is not known: share that the ninth decile of distances must reach, too, of the radius of a sphere as large as the cavity (0.55 at most).
 const MIN_DECILE_OVER_RADIUS: f64 = 0.7;
 /// Faces of the epicardium that are looked at.
 const SAMPLES: usize = 400;
@@ -91,7 +91,7 @@ impl WallExtent {
     }
 }
 
-/// Radius of a ball as large as the cavity.
+/// Radius of a sphere as large as the cavity.
 fn radius(vertices: &[Point3], triangles: &[[u32; 3]], endo: &SurfaceSequence) -> f64 {
     let loops = endo.faces().boundary_loops();
     let volume = enclosed_volume(vertices, triangles, &loops).abs();

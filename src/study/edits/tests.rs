@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::mesh::phantom;
-use crate::study::{LabelRoles, MeshSequence, SurfaceKind, SurfaceSequence};
+use crate::study::{LabelClasses, MeshSequence, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
 fn subject(id: &str) -> Arc<Subject> {
@@ -82,7 +82,7 @@ fn an_id_is_not_empty_and_not_that_of_another_subject() {
 #[test]
 fn a_label_has_one_spelling_in_a_study_and_an_empty_one_is_none() {
     let mut study = study(&["a", "b", "c"]);
-    study.label_roles = LabelRoles {
+    study.label_classes = LabelClasses {
         normal: vec!["NOR".to_owned()],
         abnormal: Vec::new(),
     };
@@ -103,15 +103,15 @@ fn a_label_has_one_spelling_in_a_study_and_an_empty_one_is_none() {
 #[test]
 fn a_label_has_one_role() {
     let study = study(&["a"]).labelling(&[0], "MINF", Revision(1));
-    let role = |study: &Study| study.role(&study.subjects[0]);
-    assert_eq!(role(&study), LabelRole::Unknown);
-    let abnormal = study.with_role("MINF", LabelRole::Abnormal, Revision(2));
-    assert_eq!(role(&abnormal), LabelRole::Abnormal);
-    let normal = abnormal.with_role("minf", LabelRole::Normal, Revision(3));
-    assert_eq!(role(&normal), LabelRole::Normal);
-    assert_eq!(normal.label_roles.abnormal, ["abnormal"]);
-    let none = normal.with_role("MINF", LabelRole::Unknown, Revision(4));
-    assert_eq!(none.label_roles, study.label_roles);
+    let class = |study: &Study| study.class_of(&study.subjects[0]);
+    assert_eq!(class(&study), LabelClass::Neither);
+    let abnormal = study.with_class("MINF", LabelClass::Abnormal, Revision(2));
+    assert_eq!(class(&abnormal), LabelClass::Abnormal);
+    let normal = abnormal.with_class("minf", LabelClass::Normal, Revision(3));
+    assert_eq!(class(&normal), LabelClass::Normal);
+    assert_eq!(normal.label_classes.abnormal, ["abnormal"]);
+    let none = normal.with_class("MINF", LabelClass::Neither, Revision(4));
+    assert_eq!(none.label_classes, study.label_classes);
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn added_subjects_come_last_under_ids_of_their_own() {
     let mut other = study(&["a", "b", "b (2)"])
         .excluding(1, Revision(2))
         .unwrap();
-    other.label_roles.abnormal.push("DCM".to_owned());
+    other.label_classes.abnormal.push("DCM".to_owned());
     let both = own.adding(&other, Revision(3));
     assert_eq!(
         in_order(&both),
@@ -128,11 +128,14 @@ fn added_subjects_come_last_under_ids_of_their_own() {
         "no subject of either changes its place"
     );
     assert_eq!(ids(&both.subjects), ["b", "a (2)", "b (2) (2)"]);
-    assert_eq!(both.label_roles.role(Some("dcm")), LabelRole::Abnormal);
-    let told = &both.subjects[1].notices[0].text;
+    assert_eq!(
+        both.label_classes.class_of(Some("dcm")),
+        LabelClass::Abnormal
+    );
+    let note = &both.subjects[1].notices[0].text;
     assert!(
-        told.contains("\"a\"") && told.contains("\"a (2)\""),
-        "{told}"
+        note.contains("\"a\"") && note.contains("\"a (2)\""),
+        "{note}"
     );
 }
 

@@ -4,20 +4,17 @@ use std::path::Path;
 
 use cardiomorph::report::all_tables;
 
+/// `subjects.csv`, and its twin under the name of the first release.
+const MEASURES: &str = "subject,label,end_diastole,end_systole,edv,esv,sv,ef,mass_g,volume_unit,phase_source,outside_range,notes";
+
 /// Files with their columns. What stands here is never renamed, removed or moved; new columns go to the end.
 const COLUMNS: &[(&str, &str)] = &[
     (
         "frames.csv",
         "subject,frame,endo_volume,epi_volume,volume_unit,wall_volume,endo_area,epi_area,area_unit,time_s",
     ),
-    (
-        "subjects.csv",
-        "subject,label,end_diastole,end_systole,edv,esv,sv,ef,mass_g,volume_unit,phase_source,outside_range,notes",
-    ),
-    (
-        "measures.csv",
-        "subject,label,end_diastole,end_systole,edv,esv,sv,ef,mass_g,volume_unit,phase_source,outside_range,notes",
-    ),
+    ("subjects.csv", MEASURES),
+    ("measures.csv", MEASURES),
     ("distances.csv", "subject,frame"),
     ("poses_mds.csv", "subject,frame,x,y"),
     ("poses_smacof.csv", "subject,frame,x,y"),

@@ -5,8 +5,8 @@ use cardiomorph::app::App;
 use cardiomorph::document::{ThemeChoice, ViewMode};
 use cardiomorph::engine::MedialMapQuery;
 use cardiomorph::panes::{
-    BeatCommand, Command, EditCommand, PANES, Pane, TransportCommand, ViewCommand, WallCommand,
-    Whose, WindowCommand,
+    Command, EditCommand, PANES, Pane, PlaybackCommand, SelectCommand, TransportCommand,
+    ViewCommand, WallCommand, Whose, WindowCommand,
 };
 use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 use cardiomorph::ui::theme::space;
@@ -239,8 +239,8 @@ fn a_motion_on_another_subject_looks_as_it_did() {
             from: SUBJECT,
             onto: 2,
         }),
-        Command::Beat(BeatCommand::TogglePlay),
-        Command::Beat(BeatCommand::SetPosition(FRAME as f64 + 0.5)),
+        Command::Playback(PlaybackCommand::TogglePlay),
+        Command::Playback(PlaybackCommand::SetPosition(FRAME as f64 + 0.5)),
     ];
     let (name, size) = ("transport", [480.0, 320.0]);
     compare_pane(name, Pane::VIEWPORT, size, DARK, &commands, |app| {
@@ -254,7 +254,7 @@ fn a_motion_on_another_subject_looks_as_it_did() {
 fn the_difference_of_two_hearts_looks_as_it_did() {
     let commands = [
         Command::View(ViewCommand::SetViewMode(ViewMode::SideBySide)),
-        Command::Beat(BeatCommand::CompareWith(Some(2))),
+        Command::Select(SelectCommand::CompareWith(Some(2))),
         Command::View(ViewCommand::SetQuantity(Quantity::Contribution)),
     ];
     let (name, size) = ("difference", [480.0, 320.0]);

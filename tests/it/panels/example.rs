@@ -9,7 +9,7 @@ use cardiomorph::engine::PoseMapQuery;
 use cardiomorph::mesh::phantom;
 use cardiomorph::panes::*;
 use cardiomorph::picture::Quantity;
-use cardiomorph::study::{LabelRole, MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
+use cardiomorph::study::{LabelClass, MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
 use cardiomorph::ui::LabelMark;
 use cardiomorph::units::LengthUnit;
 
@@ -28,13 +28,13 @@ pub struct Example {
 impl Example {
     pub fn new() -> Self {
         let groups = [
-            ("NOR", LabelRole::Normal, 9, 0.62),
-            ("MINF", LabelRole::Abnormal, 8, 0.36),
-            ("DCM", LabelRole::Abnormal, 4, 0.22),
-            ("RV", LabelRole::Unknown, 2, 0.55),
+            ("NOR", LabelClass::Normal, 9, 0.62),
+            ("MINF", LabelClass::Abnormal, 8, 0.36),
+            ("DCM", LabelClass::Abnormal, 4, 0.22),
+            ("RV", LabelClass::Neither, 2, 0.55),
         ];
         let (mut rows, mut points) = (Vec::new(), Vec::new());
-        for (label, role, count, ef) in groups {
+        for (label, class, count, ef) in groups {
             for _ in 0..count {
                 let subject = rows.len();
                 let wobble = (subject as f64 * 2.399).sin();
@@ -42,7 +42,7 @@ impl Example {
                 rows.push(CohortRow {
                     id: format!("P-{:03}", 41 + subject),
                     label: Some(label.to_owned()),
-                    role,
+                    class,
                     mark: match label {
                         "NOR" => LabelMark::Normal,
                         "DCM" => LabelMark::Label(0),
@@ -225,9 +225,9 @@ fn deformations(subjects: &[CohortRow]) -> Vec<ScatterPoint> {
         .map(|subject| {
             let turn = subject as f64 * 2.399;
             let reach = 0.25 + 0.35 * ((subject * 7 % 11) as f64 / 11.0);
-            let aside = match subjects[subject].role {
-                LabelRole::Normal if subject != 4 => -0.9,
-                LabelRole::Unknown => 0.0,
+            let aside = match subjects[subject].class {
+                LabelClass::Normal if subject != 4 => -0.9,
+                LabelClass::Neither => 0.0,
                 _ => 0.7,
             };
             [aside + reach * turn.cos(), 0.8 * reach * turn.sin()]

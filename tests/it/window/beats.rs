@@ -6,7 +6,8 @@ use cardiomorph::picture::Quantity;
 
 use super::*;
 use cardiomorph::panes::{
-    BeatCommand, EditCommand, TransportCommand, ViewCommand, WallCommand, WorkCommand,
+    EditCommand, PlaybackCommand, SelectCommand, TransportCommand, ViewCommand, WallCommand,
+    WorkCommand,
 };
 
 /// Takes what is at `from` and lets it go at `onto`, as a person does: in several steps.
@@ -39,7 +40,10 @@ fn transported(app: &App) -> bool {
 #[test]
 fn the_slider_runs_through_computed_poses_and_says_so() {
     let mut harness = cohort_window();
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(2.4)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(2.4)),
+    );
     assert!(
         shows(&harness, "linear interpolation"),
         "until the pose is computed"
@@ -75,7 +79,10 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
     harness.key_press(egui::Key::Period);
     harness.run();
     assert_eq!(harness.state().state().document.position, 2.5);
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(3.0)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(3.0)),
+    );
     harness.run();
     assert!(!shows(&harness, "interpolated"));
     // Another number of poses is another question; none at all is one too.
@@ -83,7 +90,10 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
         &mut harness,
         Command::Transport(TransportCommand::SetInterpolatedPoses(1)),
     );
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(2.4)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(2.4)),
+    );
     wait(&mut harness, "one pose per interval", |app| {
         let beat = app.state().interpolated_poses_of(0);
         beat.is_some_and(|beat| beat.positions().len() == 8)
@@ -100,12 +110,15 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
 #[test]
 fn playing_finds_the_poses_of_the_heart_on_screen() {
     let mut harness = cohort_window();
-    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(4)));
+    give(
+        &mut harness,
+        Command::Select(SelectCommand::SelectSubject(4)),
+    );
     assert!(
         harness.state().state().interpolated_poses_of(4).is_none(),
         "nothing moves yet"
     );
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
     wait(&mut harness, "the poses between frames", |app| {
         app.state()
             .interpolated_poses_of(4)
@@ -125,7 +138,10 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
         &mut harness,
         Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapQuery>())),
     );
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(0.5)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(0.5)),
+    );
     harness.step();
     let works = |app: &App| app.works_on(Topic::of::<InterpolatedPosesQuery>());
     assert!(works(harness.state()));
@@ -136,7 +152,10 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
     );
     wait(&mut harness, "the end of the work", |app| !works(app));
     assert!(begin.elapsed() < Duration::from_secs(2));
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(4.5)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(4.5)),
+    );
     harness.run_steps(3);
     assert!(
         !works(harness.state()),
@@ -197,8 +216,11 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     assert_eq!(state.document.view_mode, ViewMode::SideBySide);
     assert!(state.play.playing, "it plays beside the original");
     wait(&mut harness, "the transported motion", transported);
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(3.0)));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(3.0)),
+    );
     harness.run();
     assert!(shows(&harness, "Motion of P07 on N03"));
     assert!(shows(&harness, "transported motion · frame 3 (0–7)"));
@@ -293,7 +315,7 @@ fn a_transport_can_be_stopped_and_asked_for_again() {
         &mut harness,
         Command::Transport(TransportCommand::TransportMotion { from: 9, onto: 3 }),
     );
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
     assert!(harness.state().busy());
     give(
         &mut harness,
@@ -334,7 +356,7 @@ fn two_hearts_show_where_they_differ() {
     );
     give(
         &mut harness,
-        Command::Beat(BeatCommand::CompareWith(Some(12))),
+        Command::Select(SelectCommand::CompareWith(Some(12))),
     );
     wait(&mut harness, "the difference", |app| {
         app.state().answers.difference().is_some() && app.hearts_on_screen().len() == 2
@@ -357,7 +379,10 @@ fn two_hearts_show_where_they_differ() {
         "densities lie about 1, not {mean}"
     );
     // At another frame the old one stays until the new one is there.
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(3.0)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(3.0)),
+    );
     assert!(harness.state().state().answers.difference().is_some());
     wait(&mut harness, "the next difference", |app| {
         app.state()

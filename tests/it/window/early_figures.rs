@@ -1,7 +1,7 @@
 //! Figures asked for before their subject is drawn or classified, and moments between frames.
 
 use super::*;
-use cardiomorph::panes::{BeatCommand, FileCommand, ViewCommand};
+use cardiomorph::panes::{FileCommand, PlaybackCommand, SelectCommand, ViewCommand};
 
 use std::io::BufReader;
 
@@ -32,7 +32,7 @@ fn a_figure_asked_for_before_its_verdict_is_known_waits_for_it_or_says_so() {
     for (name, patch) in [("patch.png", true), ("view.png", false)] {
         let path = folder.path().join(name);
         let mut harness = cohort_window();
-        let select = Command::Beat(BeatCommand::SelectSubject(PATCHED));
+        let select = Command::Select(SelectCommand::SelectSubject(PATCHED));
         harness.state_mut().push(select);
         assert!(
             harness.state().state().verdicts().is_none(),
@@ -56,7 +56,7 @@ fn two_figures_asked_for_at_once_are_both_written() {
     let folder = tempfile::tempdir().unwrap();
     let paths = ["a.png", "b.png"].map(|name| folder.path().join(name));
     let mut harness = cohort_window();
-    let select = Command::Beat(BeatCommand::SelectSubject(15));
+    let select = Command::Select(SelectCommand::SelectSubject(15));
     harness.state_mut().push(select);
     for path in &paths {
         let export = FileCommand::ExportFigure(Some(path.clone()));
@@ -73,10 +73,10 @@ fn a_figure_that_waits_for_its_subject_keeps_frame_and_colours_of_its_command() 
     let path = folder.path().join("view.png");
     let mut harness = cohort_window();
     for command in [
-        Command::Beat(BeatCommand::SelectSubject(15)),
-        Command::Beat(BeatCommand::SetPosition(2.0)),
+        Command::Select(SelectCommand::SelectSubject(15)),
+        Command::Playback(PlaybackCommand::SetPosition(2.0)),
         Command::File(FileCommand::ExportFigure(Some(path.clone()))),
-        Command::Beat(BeatCommand::SetPosition(5.0)),
+        Command::Playback(PlaybackCommand::SetPosition(5.0)),
         Command::View(ViewCommand::SetQuantity(Quantity::Displacement)),
     ] {
         harness.state_mut().push(command);
@@ -94,7 +94,7 @@ fn between_frames_no_frame_and_no_phase_is_named() {
     let mut harness = cohort_window();
     let phases = harness.state().state().phases_of(0);
     let systole = phases.1.unwrap();
-    let at = |position| Command::Beat(BeatCommand::SetPosition(position));
+    let at = |position| Command::Playback(PlaybackCommand::SetPosition(position));
     give(&mut harness, at(systole as f64));
     harness.run();
     assert!(shows(&harness, &format!("frame {systole} (0–7) · ES")));

@@ -4,7 +4,7 @@ use super::editing::{card, choose, ids, key, redo, row, study, undo};
 use super::*;
 use cardiomorph::app::PathQuestion;
 use cardiomorph::panes::{EditCommand, FileCommand, Phase, PhaseFrame, Whose};
-use cardiomorph::study::{CoordinateUnit, LabelRole};
+use cardiomorph::study::{CoordinateUnit, LabelClass};
 use egui::Key;
 
 /// The tables of a study as they are exported.
@@ -110,7 +110,7 @@ fn an_edited_study_is_written_and_read_back_as_it_was_edited() {
             subjects: vec![0, 1],
             label: "Müller's \"A\"".to_owned(),
         },
-        EditCommand::SetRole(Whose::Subject(0), LabelRole::Abnormal),
+        EditCommand::SetClass(Whose::Subject(0), LabelClass::Abnormal),
         EditCommand::Rename {
             subject: 2,
             id: "Zoë 3".to_owned(),
@@ -139,7 +139,7 @@ fn an_edited_study_is_written_and_read_back_as_it_was_edited() {
         app.state().document.study().name == written.name && app.state().document.study.opening == 2
     });
     let read = study(&harness);
-    assert_eq!(read.label_roles, written.label_roles);
+    assert_eq!(read.label_classes, written.label_classes);
     assert_eq!(read.in_order(), written.in_order());
     assert_eq!(read.count(), written.count());
     for (read, written) in read.all().zip(written.all()) {
@@ -266,4 +266,40 @@ fn a_figure_of_an_excluded_subject_is_written_and_its_view_comes_back() {
         app.state().document.subject == 22
     });
     assert!(harness.state().state().errors.is_empty());
+}
+
+#[test]
+fn a_study_that_is_exported_before_another_is_opened_makes_room_for_it_once_it_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = window_saving_into(folder.path());
+    let opening = harness.state().state().document.study.opening;
+    give(&mut harness, EditCommand::Exclude(Whose::Subject(0)).into());
+    give(&mut harness, FileCommand::OpenBuiltIn.into());
+    harness.get_by_label("Export study and open…").click();
+    wait(&mut harness, "the other study", |app| {
+        app.state().document.study.opening != opening && !app.busy()
+    });
+    assert!(study(&harness).excluded.is_empty(), "made anew");
+    assert!(harness.state().state().leaving.is_none());
+    let written = std::fs::read_to_string(folder.path().join("study.toml")).unwrap();
+    assert!(written.contains("exclude"), "{written}");
+}
+
+#[test]
+fn an_export_that_fails_leaves_the_edited_study_on_screen() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("study.toml"), "name = \"another\"\n").unwrap();
+    let mut harness = window_saving_into(folder.path());
+    let opening = harness.state().state().document.study.opening;
+    give(&mut harness, EditCommand::Exclude(Whose::Subject(0)).into());
+    give(&mut harness, FileCommand::OpenBuiltIn.into());
+    harness.get_by_label("Export study and open…").click();
+    wait(&mut harness, "the refusal", |app| {
+        !app.state().errors.is_empty()
+    });
+    harness.run_steps(5);
+    assert_eq!(harness.state().state().document.study.opening, opening);
+    assert!(harness.state().state().is_edited());
+    // An export that succeeds later is no reason to leave.
+    assert!(harness.state().state().leaving.is_none());
 }

@@ -4,7 +4,7 @@ use super::*;
 use cardiomorph::document::{TypedField, Typing};
 use cardiomorph::engine::MeasuresQuery;
 use cardiomorph::panes::{EditCommand, FileCommand, ViewCommand, WindowCommand};
-use cardiomorph::study::{CoordinateUnit, LabelRole, Landmark, Study, Subject};
+use cardiomorph::study::{CoordinateUnit, LabelClass, Landmark, Study, Subject};
 use egui::{Key, Modifiers};
 
 pub fn study<'a>(harness: &'a Harness<'_, App>) -> &'a Study {
@@ -152,17 +152,17 @@ fn all_subjects_that_the_filter_shows_get_a_label_in_one_step() {
 fn the_class_of_a_label_is_chosen_in_the_menu_of_a_row() {
     let mut harness = cohort_window();
     let label = subject(&harness, "P01").label.clone().unwrap();
-    let role = |harness: &Harness<'_, App>| study(harness).role(subject(harness, "P01"));
-    let before = role(&harness);
-    assert_eq!(before, LabelRole::Abnormal);
+    let class = |harness: &Harness<'_, App>| study(harness).class_of(subject(harness, "P01"));
+    let before = class(&harness);
+    assert_eq!(before, LabelClass::Abnormal);
     choose(
         &mut harness,
         "P01",
         &[&format!("Class of the label {label}"), "Normal"],
     );
-    assert_eq!(role(&harness), LabelRole::Normal);
+    assert_eq!(class(&harness), LabelClass::Normal);
     undo(&mut harness);
-    assert_eq!(role(&harness), before);
+    assert_eq!(class(&harness), before);
 }
 
 #[test]
@@ -193,7 +193,7 @@ fn a_name_that_is_taken_is_refused_while_it_is_typed_and_figures_have_the_new_on
 #[test]
 fn a_deleted_subject_comes_back_with_its_row_selection_and_results() {
     let mut harness = mapped_window();
-    give(&mut harness, BeatCommand::SelectSubject(4).into());
+    give(&mut harness, SelectCommand::SelectSubject(4).into());
     harness.run_steps(2);
     let before = harness.state().state().document.clone();
     let ejection = harness.state().state().measures_of(4).unwrap().ef;
@@ -225,7 +225,7 @@ fn the_menu_is_of_its_row_whoever_is_selected_meanwhile() {
     let mut harness = cohort_window();
     row(&harness, "N04").click_secondary();
     harness.run_steps(3);
-    give(&mut harness, BeatCommand::SelectSubject(7).into());
+    give(&mut harness, SelectCommand::SelectSubject(7).into());
     give(
         &mut harness,
         ViewCommand::SetSearch("N04".to_owned()).into(),
@@ -325,7 +325,10 @@ fn the_frame_on_screen_becomes_end_systole_unless_it_is_end_diastole() {
     let other = (0..8)
         .find(|f| Some(*f) != end_diastole && Some(*f) != end_systole)
         .unwrap();
-    give(&mut harness, BeatCommand::SetPosition(other as f64).into());
+    give(
+        &mut harness,
+        PlaybackCommand::SetPosition(other as f64).into(),
+    );
     choose(
         &mut harness,
         "N01",
@@ -336,7 +339,7 @@ fn the_frame_on_screen_becomes_end_systole_unless_it_is_end_diastole() {
     assert_eq!(subject(&harness, "N01").end_systole, None);
     give(
         &mut harness,
-        BeatCommand::SetPosition(end_diastole.unwrap() as f64).into(),
+        PlaybackCommand::SetPosition(end_diastole.unwrap() as f64).into(),
     );
     wait(&mut harness, "measures", |app| {
         app.state().measures().is_some()

@@ -1,7 +1,7 @@
 //! What a quick hand does: keys, clicks and drags that arrive at once, also while another study opens.
 
 use super::*;
-use cardiomorph::panes::{BeatCommand, EditCommand, FileCommand, ViewCommand, WallCommand};
+use cardiomorph::panes::{EditCommand, FileCommand, SelectCommand, ViewCommand, WallCommand};
 use cardiomorph::picture::{Quantity, WallPart};
 use egui::accesskit::Role;
 
@@ -257,7 +257,7 @@ fn a_click_is_applied_before_a_study_that_finished_in_the_same_frame() {
     std::thread::sleep(Duration::from_secs(4));
     harness
         .state_mut()
-        .push(Command::Beat(BeatCommand::SelectSubject(5)));
+        .push(Command::Select(SelectCommand::SelectSubject(5)));
     harness.step();
     assert_eq!(
         opening(&harness),
@@ -342,7 +342,7 @@ fn a_menu_of_a_row_closes_when_a_study_opens() {
 fn a_patch_does_not_stay_selected_after_a_click_on_a_map() {
     let mut harness = mapped_window();
     let pose = |subject| {
-        Command::Beat(BeatCommand::SelectPose {
+        Command::Select(SelectCommand::SelectPose {
             subject,
             frame: 3,
             play: false,

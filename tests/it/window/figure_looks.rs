@@ -92,7 +92,7 @@ fn a_size_too_small_for_a_patch_figure_is_refused_before_anything_is_asked_or_dr
 fn the_look_is_that_of_the_command_and_so_are_the_thresholds_given_in_the_same_frame() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = cohort_window();
-    let select = BeatCommand::SelectSubject(PATCHED);
+    let select = SelectCommand::SelectSubject(PATCHED);
     give(&mut harness, select.into());
     wait(&mut harness, "the verdicts", |app| {
         matches!(app.state().verdicts(), Some((_, true)))
@@ -101,7 +101,7 @@ fn the_look_is_that_of_the_command_and_so_are_the_thresholds_given_in_the_same_f
             && !app.busy()
     });
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.3;
+    settings.patches.extent_threshold = 0.3;
     let [early, late] = ["early.png", "late.png"].map(|name| folder.path().join(name));
     let small = |background| FigureLook {
         size: Some([800, 600]),
@@ -168,7 +168,7 @@ fn tables_that_are_stopped_leave_those_of_an_earlier_run_whole() {
     };
     let before = content();
     // A folder lies where the last table goes: nothing of the new run is kept.
-    give(&mut harness, BeatCommand::SelectSubject(1).into());
+    give(&mut harness, SelectCommand::SelectSubject(1).into());
     std::fs::remove_file(tables.join("medial_mds.csv")).unwrap();
     std::fs::create_dir(tables.join("medial_mds.csv")).unwrap();
     std::fs::write(tables.join("frames.csv"), "of the run before").unwrap();

@@ -2,7 +2,8 @@
 
 use super::*;
 use cardiomorph::panes::{
-    BeatCommand, EditCommand, FileCommand, TransportCommand, ViewCommand, WallCommand,
+    EditCommand, FileCommand, PlaybackCommand, SelectCommand, TransportCommand, ViewCommand,
+    WallCommand,
 };
 
 use std::sync::Mutex;
@@ -22,14 +23,14 @@ fn arranged_window() -> Harness<'static, App> {
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::Beat(BeatCommand::SelectPose {
+        Command::Select(SelectCommand::SelectPose {
             subject: PATCHED,
             frame: 3,
             play: false,
         }),
     );
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.5;
+    settings.patches.extent_threshold = 0.5;
     for command in [
         Command::Wall(WallCommand::SetThickening(settings)),
         Command::Transport(TransportCommand::SetInterpolatedPoses(0)),
@@ -87,7 +88,7 @@ fn a_patch_figure_dropped_on_the_window_restores_the_view_that_it_shows() {
     );
     let shown = document(&harness);
     for command in [
-        Command::Beat(BeatCommand::SelectSubject(2)),
+        Command::Select(SelectCommand::SelectSubject(2)),
         Command::Wall(WallCommand::ToggleAtoms),
         Command::View(ViewCommand::ToggleWireframe),
         Command::View(ViewCommand::SetQuantity(Quantity::Tissue)),
@@ -218,7 +219,7 @@ fn asking_window() -> (Harness<'static, App>, Dialog) {
     wait_for_heart(&mut harness);
     give(
         &mut harness,
-        Command::Beat(BeatCommand::SelectSubject(PATCHED)),
+        Command::Select(SelectCommand::SelectSubject(PATCHED)),
     );
     wait_for_verdicts(&mut harness);
     (harness, Dialog { asked, answer })
@@ -259,15 +260,24 @@ fn a_figure_holds_the_subject_of_its_command_while_another_one_is_clicked() {
         ),
     ] {
         let (mut harness, dialog) = asking_window();
-        give(&mut harness, Command::Beat(BeatCommand::SetPosition(2.0)));
+        give(
+            &mut harness,
+            Command::Playback(PlaybackCommand::SetPosition(2.0)),
+        );
         give(&mut harness, command);
         let asked = question(&mut harness, &dialog);
         let PathQuestion::SaveFigure { suggested, .. } = asked else {
             panic!("{asked:?}");
         };
         assert_eq!(suggested, name);
-        give(&mut harness, Command::Beat(BeatCommand::SelectSubject(15)));
-        give(&mut harness, Command::Beat(BeatCommand::SetPosition(5.0)));
+        give(
+            &mut harness,
+            Command::Select(SelectCommand::SelectSubject(15)),
+        );
+        give(
+            &mut harness,
+            Command::Playback(PlaybackCommand::SetPosition(5.0)),
+        );
         wait(&mut harness, "P07 on screen", |app| {
             app.hearts_on_screen()[0].0 == 15
         });
@@ -284,7 +294,7 @@ fn a_figure_asked_for_right_after_a_click_waits_for_the_clicked_subject() {
     // In one frame, before anything of P07 is drawn or measured.
     harness
         .state_mut()
-        .push(Command::Beat(BeatCommand::SelectSubject(15)));
+        .push(Command::Select(SelectCommand::SelectSubject(15)));
     harness
         .state_mut()
         .push(Command::File(FileCommand::ExportPatchFigure(None)));
@@ -306,13 +316,13 @@ fn a_figure_whose_subject_is_left_before_it_is_drawn_is_refused_by_name() {
     let (mut harness, _dialog) = asking_window();
     harness
         .state_mut()
-        .push(Command::Beat(BeatCommand::SelectSubject(15)));
+        .push(Command::Select(SelectCommand::SelectSubject(15)));
     harness
         .state_mut()
         .push(Command::File(FileCommand::ExportFigure(None)));
     harness
         .state_mut()
-        .push(Command::Beat(BeatCommand::SelectSubject(2)));
+        .push(Command::Select(SelectCommand::SelectSubject(2)));
     wait(&mut harness, "a card", |app| !app.state().errors.is_empty());
     let card = harness.state().state().errors[0].clone();
     assert_eq!(card.title, "There is no figure of P07");

@@ -1,7 +1,7 @@
 //! The part of the cycle that plays, estimated poses on empty ground, classes, and names for who cannot see the window.
 
 use cardiomorph::engine::ClassesBy;
-use cardiomorph::panes::{BeatCommand, EditCommand, MapCommand, WindowCommand};
+use cardiomorph::panes::{EditCommand, MapCommand, PlaybackCommand, SelectCommand, WindowCommand};
 use egui::{Event, Modifiers};
 
 use super::*;
@@ -14,17 +14,26 @@ fn shift(harness: &mut Harness<'_, App>, modifiers: Modifiers) {
 #[test]
 fn a_loop_plays_between_two_frames_and_undo_takes_it_back() {
     let mut harness = cohort_window();
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(2.0)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(2.0)),
+    );
     harness.key_press(egui::Key::OpenBracket);
     harness.run_steps(3);
-    give(&mut harness, Command::Beat(BeatCommand::SetPosition(5.0)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetPosition(5.0)),
+    );
     harness.key_press(egui::Key::CloseBracket);
     harness.run_steps(3);
     let frames = |harness: &Harness<'_, App>| harness.state().state().document.loop_frames();
     assert_eq!(frames(&harness), Some([2, 5]));
     harness.get_by_label("Start of the loop");
-    give(&mut harness, Command::Beat(BeatCommand::SetSpeed(4.0)));
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::SetSpeed(4.0)),
+    );
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
     let mut seen = Vec::new();
     for _ in 0..60 {
         harness.step();
@@ -35,9 +44,12 @@ fn a_loop_plays_between_two_frames_and_undo_takes_it_back() {
         seen.windows(2).any(|pair| pair[1] < pair[0]),
         "it starts over"
     );
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
     // The same phases of a subject, and nothing that the next study knows.
-    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(4)));
+    give(
+        &mut harness,
+        Command::Select(SelectCommand::SelectSubject(4)),
+    );
     assert_eq!(frames(&harness), Some([2, 5]));
     harness.key_press(egui::Key::Escape);
     harness.run_steps(3);
@@ -53,7 +65,7 @@ fn esc_leaves_the_filter_before_it_ends_the_loop() {
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::Beat(BeatCommand::SetLoopRange(Some([1, 4]))),
+        Command::Playback(PlaybackCommand::SetLoopRange(Some([1, 4]))),
     );
     let filter = cardiomorph::panes::ViewCommand::SetSearch("N".to_owned());
     give(&mut harness, Command::View(filter));
@@ -226,7 +238,7 @@ fn classes_are_told_apart_by_label_or_by_what_the_study_calls_normal() {
     let by_label = harness.state().state().classes().unwrap().clone();
     assert_eq!(by_label.names.len(), 3, "{text}");
     harness.get_by_label("Classes: by label");
-    let chosen = MapCommand::SetClassesBy(ClassesBy::Role);
+    let chosen = MapCommand::SetClassesBy(ClassesBy::Class);
     give(&mut harness, Command::Map(chosen));
     wait(&mut harness, "normal and abnormal", |app| {
         app.state()
@@ -262,7 +274,7 @@ fn rows_points_segments_tabs_and_the_time_have_names() {
     harness.run_steps(3);
     let document = &harness.state().state().document;
     assert_eq!(document.selected().unwrap().id, "P05");
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
     give(
         &mut harness,
         Command::Window(WindowCommand::ShowPane(Pane::BULLS_EYE)),

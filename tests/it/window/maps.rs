@@ -1,7 +1,7 @@
 //! Deformation maps, the spatiotemporal plot, and their settings: from a click to what every view shows.
 
 use super::*;
-use cardiomorph::panes::{BeatCommand, EditCommand, MapCommand, WindowCommand, WorkCommand};
+use cardiomorph::panes::{EditCommand, MapCommand, PlaybackCommand, WindowCommand, WorkCommand};
 
 use cardiomorph::analysis::deformations::Comparison;
 use cardiomorph::analysis::embedding::MapMethod;
@@ -57,8 +57,8 @@ fn a_click_on_a_deformation_plays_that_heart() {
     let wanted = map.subjects[row];
     let state = harness.state().state();
     let heart = state.document.study().subjects[wanted].clone();
-    let role = cardiomorph::ui::role_name(state.document.study().role(&heart));
-    let name = format!("Deformation of {}, {role}", heart.id);
+    let class = cardiomorph::ui::class_name(state.document.study().class_of(&heart));
+    let name = format!("Deformation of {}, {class}", heart.id);
     harness.get_by_label(&name).click();
     harness.step();
     harness.step();
@@ -67,7 +67,7 @@ fn a_click_on_a_deformation_plays_that_heart() {
     wait(&mut harness, "that heart", |app| {
         app.hearts_on_screen().first().map(|heart| heart.0) == Some(wanted)
     });
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
 }
 
 #[test]
@@ -79,8 +79,8 @@ fn a_click_on_a_curve_through_time_plays_that_heart() {
     let study = harness.state().state().document.study().clone();
     let middle = |index: usize| {
         let heart = &study.subjects[index];
-        let role = cardiomorph::ui::role_name(study.role(heart));
-        let name = format!("Curve of {}, {role}", heart.id);
+        let class = cardiomorph::ui::class_name(study.class_of(heart));
+        let name = format!("Curve of {}, {class}", heart.id);
         harness.get_by_label(&name).rect().center()
     };
     let apart = |index: usize| {
@@ -97,7 +97,7 @@ fn a_click_on_a_curve_through_time_plays_that_heart() {
     harness.step();
     assert_eq!(subject(&harness), lonely);
     assert!(harness.state().state().play.playing);
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
 }
 
 #[test]

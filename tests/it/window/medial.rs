@@ -2,7 +2,7 @@
 
 use super::*;
 use cardiomorph::engine::MedialMapQuery;
-use cardiomorph::panes::{BeatCommand, WindowCommand, WorkCommand};
+use cardiomorph::panes::{PlaybackCommand, SelectCommand, WindowCommand, WorkCommand};
 
 use cardiomorph::analysis::medial_map::MedialMap;
 
@@ -89,7 +89,7 @@ fn a_click_on_a_step_selects_its_heart_and_the_frame_at_which_it_begins() {
     wait(&mut harness, "that heart", |app| {
         app.hearts_on_screen().first().map(|heart| heart.0) == Some(subject)
     });
-    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Playback(PlaybackCommand::TogglePlay));
 }
 
 #[test]
@@ -118,7 +118,7 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::Beat(BeatCommand::SelectPose {
+        Command::Select(SelectCommand::SelectPose {
             subject: 2,
             frame: 1,
             play: false,
@@ -152,7 +152,10 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
         assert_eq!(compared, !way.starts_with("Medial"), "{said}");
     }
     // The next frame is measured, too; what was known stays.
-    give(&mut harness, Command::Beat(BeatCommand::StepFrame(1)));
+    give(
+        &mut harness,
+        Command::Playback(PlaybackCommand::StepFrame(1)),
+    );
     wait_for_row(&mut harness, "Laplace field lines, ED ", ", frame 2 ");
 }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use cardiomorph::engine::OpenSource;
-use cardiomorph::panes::{BeatCommand, FileCommand, ViewCommand};
+use cardiomorph::panes::{FileCommand, PlaybackCommand, SelectCommand, ViewCommand};
 use cardiomorph::picture::Quantity;
 
 /// A figure of P03 at frame 2 with its cavity coloured, exported from a study on disk; and the study.
@@ -16,8 +16,8 @@ fn exported(name: &str) -> (tempfile::TempDir, PathBuf, PathBuf) {
     let study = harness.state().state().document.study().clone();
     let subject = study.index_of("P03").unwrap();
     for command in [
-        Command::from(BeatCommand::SelectSubject(subject)),
-        BeatCommand::SetPosition(2.0).into(),
+        Command::from(SelectCommand::SelectSubject(subject)),
+        PlaybackCommand::SetPosition(2.0).into(),
         ViewCommand::SetQuantity(Quantity::AreaRatio).into(),
         ViewCommand::SetColourLimits(Some([0.6, 1.3])).into(),
     ] {
@@ -101,7 +101,7 @@ fn a_picture_of_the_built_in_cohort_opens_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("N02.png");
     let mut harness = cohort_window();
-    give(&mut harness, BeatCommand::SelectSubject(1).into());
+    give(&mut harness, SelectCommand::SelectSubject(1).into());
     let export = FileCommand::ExportFigure(Some(path.clone()));
     give(&mut harness, export.into());
     wait(&mut harness, "the figure", |app| {

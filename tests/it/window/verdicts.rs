@@ -6,7 +6,7 @@ mod rules;
 use super::*;
 use cardiomorph::engine::{ClassesQuery, DeformationMapQuery};
 use cardiomorph::panes::{
-    BeatCommand, EditCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
+    EditCommand, SelectCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
 };
 
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
@@ -36,7 +36,10 @@ fn judged_window() -> Harness<'static, App> {
 }
 
 fn select(harness: &mut Harness<'_, App>, subject: usize) {
-    give(harness, Command::Beat(BeatCommand::SelectSubject(subject)));
+    give(
+        harness,
+        Command::Select(SelectCommand::SelectSubject(subject)),
+    );
     wait(harness, "the wall", |app| {
         matches!(app.state().wall_of(subject), Some((Ok(_), true)))
             && app.hearts_on_screen()[0].0 == subject
@@ -61,7 +64,7 @@ fn the_built_in_cohort_is_judged_in_table_and_pane() {
     );
     harness.run_steps(2);
     let found = verdict(harness.state(), PATCHED).clone();
-    assert_eq!(found.finding, Finding::Patch);
+    assert_eq!(found.finding, Finding::AbnormalPatch);
     let share = format!("{:.0} %", 100.0 * found.patched);
     let id = harness
         .state()
@@ -90,7 +93,7 @@ fn the_built_in_cohort_is_judged_in_table_and_pane() {
     // The note over the picture and the table of patches say the same.
     assert_eq!(
         harness.state().state().patch_standing(PATCHED),
-        PatchStanding::Abnormal
+        PatchStanding::AbnormalPatch
     );
     harness.get_by_label_contains(" abnormal patch");
 }
@@ -107,9 +110,9 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
         .unwrap();
     // Thresholds that take much of any wall for a patch.
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.9;
-    settings.patches.core = 0.85;
-    settings.patches.akinetic = 1.0;
+    settings.patches.extent_threshold = 0.9;
+    settings.patches.core_threshold = 0.85;
+    settings.patches.akinetic_threshold = 1.0;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),
@@ -125,7 +128,7 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
         "regions of low thickening"
     );
     assert_eq!(verdict(harness.state(), normal).finding, Finding::Nothing);
-    assert_eq!(state.patch_standing(normal), PatchStanding::LowThickening);
+    assert_eq!(state.patch_standing(normal), PatchStanding::RegionOnly);
     harness.run_steps(2);
     harness.get_by_label("No regional abnormality");
     assert!(
@@ -260,8 +263,8 @@ fn other_thresholds_ask_for_other_verdicts_while_those_before_stay() {
     select(&mut harness, PATCHED);
     let before = Arc::clone(harness.state().state().verdicts().unwrap().0);
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.6;
-    settings.patches.core = 0.3;
+    settings.patches.extent_threshold = 0.6;
+    settings.patches.core_threshold = 0.3;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),
@@ -341,7 +344,10 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
             >= 1
     );
     // The other subject is classified by the built-in classifier.
-    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(1)));
+    give(
+        &mut harness,
+        Command::Select(SelectCommand::SelectSubject(1)),
+    );
     harness.run_steps(2);
     harness.get_by_label_contains("Predicted probability of abnormal: ");
     harness.get_by_label_contains("Classifier “built-in”, trained on ");

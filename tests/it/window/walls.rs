@@ -1,7 +1,7 @@
 //! The middle of the wall in the window: atoms, patches, thresholds, the bull's-eye.
 
 use super::*;
-use cardiomorph::panes::{BeatCommand, EditCommand, WallCommand, WindowCommand};
+use cardiomorph::panes::{EditCommand, SelectCommand, WallCommand, WindowCommand};
 
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::document::FoundWall;
@@ -22,7 +22,7 @@ fn patched_window() -> Harness<'static, App> {
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::Beat(BeatCommand::SelectPose {
+        Command::Select(SelectCommand::SelectPose {
             subject: PATCHED,
             frame: 3,
             play: false,
@@ -100,8 +100,8 @@ fn a_threshold_finds_other_patches_while_the_ones_before_stay_on_screen() {
     };
     let before = share(harness.state());
     let mut settings = harness.state().state().document.thickening;
-    settings.patches.extent = 0.8;
-    settings.patches.core = 0.5;
+    settings.patches.extent_threshold = 0.8;
+    settings.patches.core_threshold = 0.5;
     harness
         .state_mut()
         .push(Command::Wall(WallCommand::SetThickening(settings)));
@@ -133,7 +133,10 @@ fn a_segment_of_the_bulls_eye_is_selected_everywhere() {
     harness.run_steps(2);
     let apex = WallPart::Segment(Segment::new(17).unwrap());
     assert_eq!(harness.state().state().document.part, Some(apex));
-    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(2)));
+    give(
+        &mut harness,
+        Command::Select(SelectCommand::SelectSubject(2)),
+    );
     let document = &harness.state().state().document;
     assert_eq!(document.part, Some(apex), "every heart has that segment");
 }

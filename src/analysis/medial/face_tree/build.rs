@@ -6,16 +6,20 @@ use super::bounds::{Bounds, Summary};
 use super::faces::FacesOfPose;
 use super::node::Node;
 use super::plan::{TreePlan, WORTH_HANDING};
+use super::scaled_coordinates::ScaledCoordinates;
 use super::search::FaceTree;
-use super::unit::Unit;
 use crate::mesh::Point3;
 
 impl TreePlan {
     /// Puts cylinders and cones around the faces of a pose.
     pub fn around<'a>(&'a self, faces: FacesOfPose<'a>) -> FaceTree<'a> {
         // In units of the surface, so that 32 bits are enough.
-        let unit = Unit::new(faces.points);
-        let points: Vec<Point3> = faces.points.iter().map(|&point| unit.of(point)).collect();
+        let coordinates = ScaledCoordinates::new(faces.points);
+        let points: Vec<Point3> = faces
+            .points
+            .iter()
+            .map(|&point| coordinates.of(point))
+            .collect();
         let scaled = FacesOfPose {
             points: &points,
             ..faces
@@ -47,7 +51,7 @@ impl TreePlan {
         FaceTree {
             plan: self,
             faces,
-            unit,
+            coordinates,
             nodes: levels.into_iter().rev().flatten().collect(),
         }
     }

@@ -5,9 +5,9 @@ mod build;
 mod faces;
 mod node;
 mod plan;
+mod scaled_coordinates;
 mod search;
 mod triangle;
-mod unit;
 
 pub(super) use faces::{FacesOfPose, Facing, Nearest};
 pub(super) use plan::TreePlan;

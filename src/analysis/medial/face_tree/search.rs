@@ -3,8 +3,8 @@
 use super::faces::{FacesOfPose, Facing, Nearest};
 use super::node::{Node, Search};
 use super::plan::TreePlan;
+use super::scaled_coordinates::{ScaledCoordinates, above};
 use super::triangle::nearest_on_triangle;
-use super::unit::{Unit, above};
 use crate::mesh::{Point3, Vector3};
 
 /// A tree of so many levels, four times as many nodes on each, holds more faces than there are numbers.
@@ -18,7 +18,7 @@ const MAX_LEVELS: usize = 16;
 pub(in crate::analysis::medial) struct FaceTree<'a> {
     pub(super) plan: &'a TreePlan,
     pub(super) faces: FacesOfPose<'a>,
-    pub(super) unit: Unit,
+    pub(super) coordinates: ScaledCoordinates,
     /// The nodes that are not leaves: the root, and so on level by level. Node i lies around nodes 4i + 1 to 4i + 4.
     pub(super) nodes: Vec<Node>,
 }
@@ -61,9 +61,10 @@ impl FaceTree<'_> {
         if let Some(hint) = hint {
             try_face(hint, &mut least);
         }
-        let search = Search::new(self.unit.of(point), facing);
+        let search = Search::new(self.coordinates.of(point), facing);
         // Rounded up, so that no face is missed that is nearer by less than 32 bits tell.
-        let in_units = |squared: f64| above(squared * self.unit.scale * self.unit.scale);
+        let in_units =
+            |squared: f64| above(squared * self.coordinates.scale * self.coordinates.scale);
         let mut min_in_units = in_units(least);
         let mut open = [(0, 0.0); 3 * MAX_LEVELS + 1];
         let mut count = 1;

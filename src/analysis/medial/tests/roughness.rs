@@ -24,10 +24,10 @@ fn shell(sigma: f64) -> [TriMesh; 2] {
 #[test]
 fn the_noise_that_is_told_is_the_noise_that_was_added() {
     for sigma in [0.05, 0.2, 0.5, 1.0] {
-        let told = noise_of(&with_noise(&phantom::sphere(4, 20.0), sigma, 0.3));
-        assert!((told / sigma - 1.0).abs() < 0.12, "{sigma}: {told}");
-        let told = noise_of(&with_noise(&phantom::bowl(20.0, 24, 48), sigma, 0.7));
-        assert!((told / sigma - 1.0).abs() < 0.2, "bowl, {sigma}: {told}");
+        let found = noise_of(&with_noise(&phantom::sphere(4, 20.0), sigma, 0.3));
+        assert!((found / sigma - 1.0).abs() < 0.12, "{sigma}: {found}");
+        let found = noise_of(&with_noise(&phantom::bowl(20.0, 24, 48), sigma, 0.7));
+        assert!((found / sigma - 1.0).abs() < 0.2, "bowl, {sigma}: {found}");
     }
 }
 
@@ -39,8 +39,8 @@ fn smooth_surfaces_have_hardly_any_noise_and_no_more_smoothing_than_is_asked() {
         phantom::bowl(20.0, 12, 24),
         phantom::bowl(20.0, 24, 48),
     ] {
-        let told = noise_of(&mesh);
-        assert!(told < 0.04, "{} vertices: {told}", mesh.vertices().len());
+        let found = noise_of(&mesh);
+        assert!(found < 0.04, "{} vertices: {found}", mesh.vertices().len());
     }
     let [endo, epi] = shell(0.0);
     let clean = surface(&endo, &[&epi], &usual()).unwrap();
@@ -72,9 +72,9 @@ fn noise_as_large_as_the_wall_gives_no_answer_or_finite_atoms() {
             Ok(found) => assert!(all_finite(&found)),
             Err(error) => {
                 let words = error.to_string();
-                let told = words.starts_with("noise: vertices are off by")
+                let reported = words.starts_with("noise: vertices are off by")
                     || words.contains("no inscribed sphere");
-                assert!(told, "{words}");
+                assert!(reported, "{words}");
             }
         }
     }

@@ -57,6 +57,9 @@ pub(in crate::analysis::metrics) trait MetricTerms: Sync {
     fn path_energy_can_vanish(&self, params: &MetricParams) -> bool;
 
     /// Squared norms of X = (R B + t) − A at A and at B.
+    ///
+    /// At A it must equal `product(A, X, X)`: terms are linear rates of the field. A term that is a difference of the two
+    /// poses instead, such as change of curvature, agrees with its rate to first order in X.
     fn pair(
         &self,
         metric: &Metric,
@@ -112,7 +115,8 @@ pub(in crate::analysis::metrics) trait MetricTerms: Sync {
         None
     }
 
-    /// Energies of the faces at all steps of a path, with their gradients.
+    /// Energies of the faces at all steps of a path, with their gradients. Must overwrite `gradients.face_area`, which still
+    /// holds those of an earlier path: with zeros where the energy does not depend on areas of faces.
     fn add_face_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients);
 
     /// Energies of the vertices that are neither curvature change nor regulariser, with their gradients. Called

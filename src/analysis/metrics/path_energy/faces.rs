@@ -1,6 +1,6 @@
 //! Sums over the faces of all poses of a path, with their gradients.
 
-use crate::numeric::{Arithmetic, Lanes, both, three};
+use crate::numeric::{Arithmetic, LANES, Lanes, both, three};
 
 use crate::analysis::metrics::face_energy::FaceEnergy;
 use crate::analysis::metrics::params::CurvatureRole;
@@ -128,7 +128,7 @@ fn length_gradients(
         // What crosses the border of a block is added to the block before, below.
         gradients.length2[at] += ends + begins.earlier(0.0);
         if block > 0 {
-            gradients.length2[at - 1].0[3] += begins.0[0];
+            gradients.length2[at - 1].0[LANES - 1] += begins.0[0];
         }
     }
 }

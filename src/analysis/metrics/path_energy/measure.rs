@@ -7,7 +7,7 @@ use crate::analysis::metrics::corner::{
     Axes, angles_rad, cotangents, density, dot, face_shape, minus, stretch,
 };
 
-/// All measures of the poses as they lie in `along.points`.
+/// All measures of the poses as they lie in `state`.
 #[inline(always)]
 pub(super) fn measure(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
     sides(plan, state);

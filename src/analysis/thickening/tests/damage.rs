@@ -51,9 +51,9 @@ fn settings_out_of_range_are_refused_by_name() {
         change(&mut params);
         params.check().map(|_| ()).unwrap_err().to_string()
     };
-    let said = params(|p| p.core = f64::NAN);
+    let said = params(|p| p.core_threshold = f64::NAN);
     assert_eq!(said, "core threshold must be between 0 and 1, not NaN");
-    let said = params(|p| p.extent = 0.1);
+    let said = params(|p| p.extent_threshold = 0.1);
     assert_eq!(
         said,
         "the extent threshold, 0.1, must not be below the core threshold, 0.2"

@@ -37,8 +37,8 @@ fn study() -> Study {
         name: "Cavities".to_owned(),
         ..Study::default()
     };
-    study.label_roles.normal = vec!["NOR".to_owned()];
-    study.label_roles.abnormal = vec!["DCM".to_owned(), "MINF".to_owned()];
+    study.label_classes.normal = vec!["NOR".to_owned()];
+    study.label_classes.abnormal = vec!["DCM".to_owned(), "MINF".to_owned()];
     for number in 0..8 {
         let little = 0.004 * number as f64;
         let kinds = [

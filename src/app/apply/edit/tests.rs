@@ -6,7 +6,7 @@ use crate::app::apply::apply;
 use crate::document::testing::{state_of, subject_with_frames};
 use crate::document::{TypedField, ViewMode};
 use crate::mesh::{Point3, phantom};
-use crate::panes::{BeatCommand, Command, FileCommand, ViewCommand};
+use crate::panes::{Command, FileCommand, PlaybackCommand, SelectCommand, ViewCommand};
 use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
@@ -36,7 +36,7 @@ impl Edited {
     }
 
     fn select(&mut self, subject: usize) {
-        self.give(BeatCommand::SelectSubject(subject));
+        self.give(SelectCommand::SelectSubject(subject));
     }
 
     fn ids(&self) -> Vec<String> {
@@ -60,7 +60,7 @@ impl Edited {
 fn whatever_names_a_subject_follows_it_when_another_one_is_excluded() {
     let mut edited = Edited::new();
     edited.select(2);
-    edited.give(BeatCommand::CompareWith(Some(3)));
+    edited.give(SelectCommand::CompareWith(Some(3)));
     edited.give(ViewCommand::SetViewMode(ViewMode::SideBySide));
     edited.state.document.map.distances.transport = Some(CohortTransportParams {
         reference: Reference::Subject(1),
@@ -195,9 +195,12 @@ fn labels_of_many_subjects_are_one_step_of_undo_and_the_same_again_is_none() {
     };
     edited.give(label.clone());
     edited.give(label);
-    edited.give(EditCommand::SetRole(Whose::Subject(2), LabelRole::Abnormal));
+    edited.give(EditCommand::SetClass(
+        Whose::Subject(2),
+        LabelClass::Abnormal,
+    ));
     let study = edited.state.document.study();
-    assert_eq!(study.role(&study.subjects[0]), LabelRole::Abnormal);
+    assert_eq!(study.class_of(&study.subjects[0]), LabelClass::Abnormal);
     edited.give(EditCommand::Undo);
     edited.give(EditCommand::Undo);
     assert!(!edited.state.history.can_undo());
@@ -220,7 +223,7 @@ fn one_frame_is_not_both_phases_and_the_reason_is_said() {
     edited.give(set(Phase::EndDiastole, PhaseFrame::Shown));
     assert_eq!(edited.state.phases_of(1), (None, Some(2)));
     edited.select(1);
-    edited.give(BeatCommand::SetPosition(1.0));
+    edited.give(PlaybackCommand::SetPosition(1.0));
     edited.give(set(Phase::EndDiastole, PhaseFrame::Shown));
     assert_eq!(edited.state.phases_of(1), (Some(1), Some(2)));
     edited.give(set(Phase::EndSystole, PhaseFrame::Found));
@@ -248,8 +251,8 @@ fn centimetres_are_shown_in_millimetres_and_can_be_corrected() {
         let subject = edited.state.subject(index).unwrap();
         assert_eq!(subject.unit, LengthUnit::Millimetre);
         assert_eq!(subject.coordinate_unit(), CoordinateUnit::Centimetre);
-        let told = subject.notices.last().unwrap();
-        assert_eq!(told.text, "unit set by the user: centimetres");
+        let notice = subject.notices.last().unwrap();
+        assert_eq!(notice.text, "unit set by the user: centimetres");
         let about_units = subject
             .notices
             .iter()

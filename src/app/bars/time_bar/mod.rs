@@ -11,7 +11,7 @@ use egui::{
     WidgetInfo, pos2, vec2,
 };
 
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{Command, PlaybackCommand};
 use crate::panes::shortcuts::hint;
 use crate::ui::controls::{choices_ui, chooser_ui, focus_ring, icon_button_ui};
 use crate::ui::marks::{Icon, icon};
@@ -37,9 +37,13 @@ pub fn time_bar_ui(ui: &mut Ui, view: &TimeBarView, commands: &mut Vec<Command>)
             frame_buttons_ui(ui, commands);
             if width > 620.0 {
                 speed_ui(ui, view.speed, commands);
-                let name = hint(ui.ctx(), "Loop", &Command::Beat(BeatCommand::ToggleLoop));
+                let name = hint(
+                    ui.ctx(),
+                    "Loop",
+                    &Command::Playback(PlaybackCommand::ToggleLoop),
+                );
                 if icon_button_ui(ui, Icon::Loop, "Loop", &name, view.looping).clicked() {
-                    commands.push(BeatCommand::ToggleLoop.into());
+                    commands.push(PlaybackCommand::ToggleLoop.into());
                 }
             }
         });
@@ -77,9 +81,13 @@ fn play_button_ui(ui: &mut Ui, playing: bool, commands: &mut Vec<Command>) {
         colours.on_accent,
     );
     focus_ring(ui, &response);
-    let text = hint(ui.ctx(), name, &Command::Beat(BeatCommand::TogglePlay));
+    let text = hint(
+        ui.ctx(),
+        name,
+        &Command::Playback(PlaybackCommand::TogglePlay),
+    );
     if response.on_hover_text(text).clicked() {
-        commands.push(BeatCommand::TogglePlay.into());
+        commands.push(PlaybackCommand::TogglePlay.into());
     }
 }
 
@@ -89,9 +97,13 @@ fn frame_buttons_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
         (-1, "Previous frame", Icon::StepBack),
         (1, "Next frame", Icon::StepForward),
     ] {
-        let text = hint(ui.ctx(), name, &Command::Beat(BeatCommand::StepFrame(step)));
+        let text = hint(
+            ui.ctx(),
+            name,
+            &Command::Playback(PlaybackCommand::StepFrame(step)),
+        );
         if icon_button_ui(ui, symbol, name, &text, false).clicked() {
-            commands.push(BeatCommand::StepFrame(step).into());
+            commands.push(PlaybackCommand::StepFrame(step).into());
         }
     }
 }
@@ -103,7 +115,7 @@ fn speed_ui(ui: &mut Ui, speed: f32, commands: &mut Vec<Command>) {
             .find(|choice| (choice - speed).abs() < 1e-3);
         let speeds = SPEEDS.map(|choice| (choice, speed_text(choice)));
         let chosen = choices_ui(ui, speeds, now.unwrap_or(speed));
-        commands.extend(chosen.map(|choice| Command::from(BeatCommand::SetSpeed(choice))));
+        commands.extend(chosen.map(|choice| Command::from(PlaybackCommand::SetSpeed(choice))));
     })
     .on_hover_text("Times the recorded motion: 1 is real time; range: 0.1 to 4");
 }
@@ -145,7 +157,8 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
             (false, true) => Some(view.axis.position_within(share)),
             (false, false) => None,
         };
-        commands.extend(position.map(|position| Command::from(BeatCommand::SetPosition(position))));
+        commands
+            .extend(position.map(|position| Command::from(PlaybackCommand::SetPosition(position))));
     }
     keys(ui, &response, commands);
     response.on_hover_ui_at_pointer(|ui| {
@@ -197,7 +210,7 @@ fn keys(ui: &Ui, response: &Response, commands: &mut Vec<Command>) {
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     for (key, step) in [(Key::ArrowLeft, -1), (Key::ArrowRight, 1)] {
         if ui.input(|input| input.key_pressed(key) && input.modifiers.is_none()) {
-            commands.push(BeatCommand::StepFrame(step).into());
+            commands.push(PlaybackCommand::StepFrame(step).into());
         }
     }
 }

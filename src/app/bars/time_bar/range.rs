@@ -2,7 +2,7 @@
 
 use egui::{CursorIcon, Rect, Response, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{Command, PlaybackCommand};
 use crate::picture::share_words;
 use crate::ui::controls::escaped;
 use crate::ui::theme::{colours, line};
@@ -63,7 +63,7 @@ pub(super) fn ends_ui(ui: &Ui, view: &TimeBarView, rail: Rect, commands: &mut Ve
             let mut wanted = frames;
             wanted[end] = frame_at(view, rail, pointer.x);
             if wanted[0] < wanted[1] && wanted != frames {
-                commands.push(BeatCommand::SetLoopRange(Some(wanted)).into());
+                commands.push(PlaybackCommand::SetLoopRange(Some(wanted)).into());
             }
         }
         let share = share_words(view.axis.share_at(frame), view.cycle_ms.is_some());
@@ -98,7 +98,7 @@ pub(super) fn swept(
         let [a, b] = [begin.x, now.x].map(|x| frame_at(view, rail, x));
         let wanted = [a.min(b), a.max(b)];
         if a != b && Some(wanted) != view.loop_frames {
-            commands.push(BeatCommand::SetLoopRange(Some(wanted)).into());
+            commands.push(PlaybackCommand::SetLoopRange(Some(wanted)).into());
         }
     }
     true
@@ -118,6 +118,6 @@ pub(super) fn escape(ui: &Ui, view: &TimeBarView, commands: &mut Vec<Command>) {
     let was_on_control = ui.data(|data| data.get_temp(id).unwrap_or(false));
     ui.data_mut(|data| data.insert_temp(id, on_control));
     if view.escape_ends_range && !was_on_control && escaped(ui) {
-        commands.push(BeatCommand::SetLoopRange(None).into());
+        commands.push(PlaybackCommand::SetLoopRange(None).into());
     }
 }

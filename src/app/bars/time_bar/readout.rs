@@ -2,7 +2,7 @@
 
 use egui::{CursorIcon, Key, Label, Sense, TextEdit, Ui};
 
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{Command, PlaybackCommand};
 use crate::picture::share_words;
 use crate::ui::style::text_font;
 use crate::ui::text::text_width;
@@ -105,7 +105,7 @@ fn field_ui(ui: &mut Ui, view: &TimeBarView, mut typed: Typed, commands: &mut Ve
         });
         let position = typed_position(view, &typed.text).filter(|_| !escaped);
         if let Some(position) = position {
-            commands.push(BeatCommand::SetPosition(position).into());
+            commands.push(PlaybackCommand::SetPosition(position).into());
         }
         typed.refused = position.is_none();
         open = entered && position.is_none();

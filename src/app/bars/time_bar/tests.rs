@@ -1,7 +1,7 @@
 //! What the time bar does under the pointer.
 
 use super::*;
-use crate::panes::BeatCommand;
+use crate::panes::PlaybackCommand;
 use crate::panes::cycle_axis::CycleAxis;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
@@ -51,10 +51,10 @@ fn buttons_push_what_they_say() {
     assert_eq!(
         harness.into_state(),
         [
-            Command::Beat(BeatCommand::TogglePlay),
-            Command::Beat(BeatCommand::StepFrame(1)),
-            Command::Beat(BeatCommand::StepFrame(-1)),
-            Command::Beat(BeatCommand::ToggleLoop)
+            Command::Playback(PlaybackCommand::TogglePlay),
+            Command::Playback(PlaybackCommand::StepFrame(1)),
+            Command::Playback(PlaybackCommand::StepFrame(-1)),
+            Command::Playback(PlaybackCommand::ToggleLoop)
         ]
     );
 }
@@ -73,7 +73,7 @@ fn a_click_near_a_frame_lands_on_it_and_a_drag_moves_freely() {
     harness.run();
     assert_eq!(
         harness.state().last(),
-        Some(&Command::Beat(BeatCommand::SetPosition(2.0)))
+        Some(&Command::Playback(PlaybackCommand::SetPosition(2.0)))
     );
     harness.drag_at(near);
     harness.step();
@@ -81,7 +81,8 @@ fn a_click_near_a_frame_lands_on_it_and_a_drag_moves_freely() {
     harness.step();
     harness.drop_at(near + vec2(30.0, 0.0));
     harness.run();
-    let Some(Command::Beat(BeatCommand::SetPosition(position))) = harness.state().last() else {
+    let Some(Command::Playback(PlaybackCommand::SetPosition(position))) = harness.state().last()
+    else {
         panic!("no position");
     };
     assert!(*position > 2.05 && *position < 2.5, "{position}");
@@ -101,7 +102,7 @@ fn a_click_near_a_pose_between_frames_lands_on_it() {
         harness.drag_at(at);
         harness.drop_at(at);
         harness.run();
-        let wanted = Command::Beat(BeatCommand::SetPosition(position));
+        let wanted = Command::Playback(PlaybackCommand::SetPosition(position));
         assert_eq!(harness.state().last(), Some(&wanted));
     }
 }
@@ -169,7 +170,7 @@ fn a_click_on_the_time_makes_it_a_field_and_enter_goes_there() {
     harness.get_by_label("100 ms · 12 % R-R · interpolated");
     assert_eq!(
         harness.into_state(),
-        [Command::Beat(BeatCommand::SetPosition(3.0))]
+        [Command::Playback(PlaybackCommand::SetPosition(3.0))]
     );
 }
 
@@ -184,7 +185,7 @@ fn the_motion_plays_up_to_four_times_as_fast() {
     harness.run();
     assert_eq!(
         harness.into_state(),
-        [Command::Beat(BeatCommand::SetSpeed(4.0))]
+        [Command::Playback(PlaybackCommand::SetSpeed(4.0))]
     );
 }
 
@@ -210,7 +211,7 @@ fn drag(harness: &mut Harness<'_, Vec<Command>>, from: egui::Pos2, to: egui::Pos
 }
 
 fn range(frames: [usize; 2]) -> Command {
-    Command::Beat(BeatCommand::SetLoopRange(Some(frames)))
+    Command::Playback(PlaybackCommand::SetLoopRange(Some(frames)))
 }
 
 #[test]
@@ -223,7 +224,8 @@ fn shift_and_a_drag_choose_the_part_that_plays_and_leave_the_position_alone() {
     harness.event(egui::Event::ModifiersChanged(egui::Modifiers::NONE));
     let commands = harness.state();
     assert_eq!(commands.last(), Some(&range([1, 3])), "{commands:?}");
-    let moves = |command: &Command| matches!(command, Command::Beat(BeatCommand::SetPosition(_)));
+    let moves =
+        |command: &Command| matches!(command, Command::Playback(PlaybackCommand::SetPosition(_)));
     assert!(!commands.iter().any(moves), "{commands:?}");
 }
 
@@ -250,7 +252,7 @@ fn esc_plays_all_again() {
         harness.run();
         harness.key_press(Key::Escape);
         harness.run();
-        let cleared = Command::Beat(BeatCommand::SetLoopRange(None));
+        let cleared = Command::Playback(PlaybackCommand::SetLoopRange(None));
         assert_eq!(harness.into_state(), vec![cleared; wanted]);
     }
 }

@@ -29,8 +29,8 @@ pub struct TimeBarView {
     pub cycle_ms: Option<f64>,
     /// What is shown between frames, such as `interpolated`; `None` on a frame.
     pub between: Option<&'static str>,
-    /// Positions of computed poses between frames, ascending; each has a small mark.
+    /// Positions of interpolated poses, ascending; each has a small mark.
     pub interpolated_poses: Vec<f64>,
-    /// More about the poses between frames, for whoever points at the line; may be empty.
+    /// More about the interpolated poses, for whoever points at the line; may be empty.
     pub note: String,
 }

@@ -29,13 +29,13 @@ fn labels_are_told_apart_as_they_are_and_as_normal_and_abnormal() {
         Arc::make_mut(subject).label =
             Some(["NOR", "NOR", "DCM", "MINF", "RV"][index / 2].to_owned());
     }
-    study.label_roles.normal = vec!["NOR".to_owned()];
-    study.label_roles.abnormal = vec!["DCM".to_owned(), "MINF".to_owned()];
+    study.label_classes.normal = vec!["NOR".to_owned()];
+    study.label_classes.abnormal = vec!["DCM".to_owned(), "MINF".to_owned()];
     let study = Arc::new(study);
     let by_label = ask(&store(), &study, &classes());
     assert_eq!(by_label.names, ["DCM", "MINF", "NOR", "RV"]);
     let by_role = ClassesQuery {
-        by: ClassesBy::Role,
+        by: ClassesBy::Class,
         ..classes()
     };
     let by_role = ask(&store(), &study, &by_role);

@@ -35,7 +35,7 @@ fn another_tolerance_or_border_fits_no_sphere_again() {
     assert!(Arc::ptr_eq(&first.beat, &second.beat));
     assert_ne!(first.thickening.steps, second.thickening.steps);
     let mut settings = ThickeningSettings::default();
-    settings.patches.extent = 0.6;
+    settings.patches.extent_threshold = 0.6;
     let wider = WallThickeningQuery {
         subject: 1,
         settings,
@@ -169,7 +169,7 @@ fn a_cavity_alone_and_a_single_frame_are_answered_in_words() {
 fn stopped_and_wrongly_set_work_keeps_nothing() {
     let (study, store) = (study(), store());
     let mut wrong = query(0, None);
-    wrong.settings.patches.core = 2.0;
+    wrong.settings.patches.core_threshold = 2.0;
     let message = refusal(&store, &study, &wrong);
     assert!(message.contains("core"), "{message}");
     let atoms = MedialSurfacesQuery {

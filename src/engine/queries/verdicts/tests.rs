@@ -26,7 +26,7 @@ fn a_cohort_is_classified_once_and_kept() {
     let found = ask(&store, &study, &settings());
     assert_eq!(found.subjects.len(), study.subjects.len());
     let patches = (found.subjects.iter().flatten())
-        .filter(|verdict| verdict.finding == Finding::Patch)
+        .filter(|verdict| verdict.finding == Finding::AbnormalPatch)
         .count();
     assert!(patches >= 5, "{patches}");
     assert!(Arc::ptr_eq(&found, &ask(&store, &study, &settings())));

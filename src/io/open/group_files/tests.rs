@@ -239,8 +239,8 @@ fn a_file_that_cannot_be_read_costs_its_subject_under_its_own_name() {
     .collect();
     let grouped = group_files(files, Path::new("in"), "in");
     assert!(grouped.plans.is_empty());
-    let told: Vec<String> = grouped.errors.iter().map(ToString::to_string).collect();
-    assert_eq!(told, ["a link to nowhere: in/endo_2.obj"]);
+    let errors: Vec<String> = grouped.errors.iter().map(ToString::to_string).collect();
+    assert_eq!(errors, ["a link to nowhere: in/endo_2.obj"]);
 }
 
 #[test]

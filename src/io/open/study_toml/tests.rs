@@ -32,9 +32,9 @@ fn every_field_is_read() {
     let manifest = parse_manifest(WHOLE).unwrap();
     assert_eq!(manifest.name.as_deref(), Some("Rest"));
     assert_eq!(manifest.unit, Some(StatedUnit::Millimetres(1.0)));
-    let roles = manifest.label_roles.unwrap();
+    let classes = manifest.label_classes.unwrap();
     assert_eq!(
-        (roles.normal, roles.abnormal),
+        (classes.normal, classes.abnormal),
         (vec!["NOR".to_owned()], vec!["DCM".to_owned()])
     );
     assert_eq!(manifest.notices, []);

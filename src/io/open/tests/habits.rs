@@ -2,7 +2,7 @@
 
 use super::*;
 
-pub(super) fn told(opened: &Opened, words: &str) -> bool {
+pub(super) fn reports(opened: &Opened, words: &str) -> bool {
     let of_subjects = opened
         .study
         .subjects
@@ -79,12 +79,12 @@ fn a_copy_of_a_frame_is_no_frame_and_is_told() {
     }
     let opened = open(&[root.path().to_owned()]);
     assert_eq!((frames(&opened), opened.errors.len()), (vec![2], 0));
-    assert!(told(&opened, "endo_1 (1).obj is not read"));
+    assert!(reports(&opened, "endo_1 (1).obj is not read"));
     let toml = "[[subject]]\nid = \"a\"\nendo = \"endo_*.obj\"\n";
     fs::write(root.path().join("study.toml"), toml).unwrap();
     let opened = open(&[root.path().to_owned()]);
     assert_eq!(frames(&opened), [2]);
-    assert!(told(&opened, "endo_1 (1).obj is not read"));
+    assert!(reports(&opened, "endo_1 (1).obj is not read"));
 }
 
 #[test]
@@ -95,8 +95,8 @@ fn a_packed_frame_is_told() {
     fs::write(root.path().join("endo_2.obj.gz"), "x").unwrap();
     fs::write(root.path().join("endo_1.obj.gz"), "x").unwrap();
     let opened = open(&[root.path().to_owned()]);
-    assert!(told(&opened, "endo_2.obj.gz is not read"));
-    assert!(!told(&opened, "endo_1.obj.gz"));
+    assert!(reports(&opened, "endo_2.obj.gz is not read"));
+    assert!(!reports(&opened, "endo_1.obj.gz"));
 }
 
 #[test]
@@ -139,7 +139,7 @@ fn a_list_beside_the_folder_of_its_files_is_one_subject() {
     fs::write(root.path().join("z/second.pvd"), inner).unwrap();
     let opened = open(&[root.path().to_owned()]);
     assert_eq!(frames(&opened), [2]);
-    assert!(told(&opened, "they are read once"));
+    assert!(reports(&opened, "they are read once"));
 }
 
 #[test]
@@ -203,7 +203,7 @@ fn surfaces_of_a_manifest_are_paired_by_frame_and_not_by_place() {
     );
     let overlapping = opened("[\"endo_*.obj\", \"endo_?.obj\"]", "\"epi_*.obj\"");
     assert_eq!(frames(&overlapping), [4]);
-    assert!(told(&overlapping, "read once"));
+    assert!(reports(&overlapping, "read once"));
 }
 
 #[test]
@@ -228,7 +228,7 @@ fn a_manifest_names_its_phases_and_times_by_the_files_too() {
         second.timing.frame_times_s,
         Some(vec![0.0, 0.05, 0.1, 0.15])
     );
-    assert!(told(&opened, "times in the file names read as s"));
+    assert!(reports(&opened, "times in the file names read as s"));
 }
 
 #[test]
@@ -250,7 +250,7 @@ fn one_heart_under_two_ids_is_told_and_read_once() {
     fs::write(root.path().join("study.toml"), toml).unwrap();
     let opened = open(&[root.path().to_owned()]);
     assert!(
-        told(&opened, "the same meshes under several ids: x = y = z;"),
+        reports(&opened, "the same meshes under several ids: x = y = z;"),
         "{:?}",
         opened.notices
     );
@@ -302,7 +302,7 @@ fn patients_and_folders_named_as_surfaces_or_chambers_are_told_apart() {
     let opened = open(&[root.path().join("p1")]);
     assert_eq!((ids(&opened), frames(&opened)), (vec!["p1"], vec![2]));
     assert!(
-        told(&opened, "2 files of the right ventricle not read"),
+        reports(&opened, "2 files of the right ventricle not read"),
         "{opened:?}"
     );
     for surface in ["endo", "epi"] {

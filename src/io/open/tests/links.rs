@@ -1,6 +1,6 @@
 //! Links and pipes among the files of a study.
 
-use super::habits::told;
+use super::habits::reports;
 use super::*;
 use std::os::unix::fs::symlink;
 
@@ -52,11 +52,11 @@ fn links_out_of_a_study_and_pipes_are_told_and_not_followed() {
         .arg(root.path().join("a/endo_1.obj"))
         .status();
     let opened = open(&[root.path().to_owned()]);
-    assert!(told(
+    assert!(reports(
         &opened,
         "everything: a link out of the study, to /, is not followed unless asked for"
     ));
-    assert!(told(&opened, "b: a link out of the study"));
+    assert!(reports(&opened, "b: a link out of the study"));
     if made.is_ok_and(|status| status.success()) {
         assert!(
             opened.errors[0].reason.contains("pipe"),
@@ -114,14 +114,14 @@ fn a_manifest_and_a_list_follow_links_out_of_the_study_no_more_than_a_folder() {
         };
         let opened = open_paths(&[root.path().to_owned()], &limits, &Progress::default()).unwrap();
         assert_eq!(opened.study.subjects.len(), usize::from(read), "{named}");
-        let told = |text: &str| {
+        let reports = |text: &str| {
             opened
                 .errors
                 .iter()
                 .any(|error| error.reason.contains(text))
         };
         assert_eq!(
-            told("a link out of the study"),
+            reports("a link out of the study"),
             !read,
             "{named}: {:?}",
             opened.errors

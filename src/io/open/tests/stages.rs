@@ -78,8 +78,8 @@ fn the_first_subject_comes_first_then_the_one_that_is_wanted_and_the_study_has_t
 fn whoever_has_enough_keeps_what_was_read_and_is_told_what_was_not() {
     let (opened, _) = heard(2);
     assert_eq!(ids(&opened), ["p1", "p4"]);
-    let told = "reading was stopped: 3 of 5 subjects were not read";
-    assert!(opened.notices.iter().any(|notice| notice.text == told));
+    let stopped = "reading was stopped: 3 of 5 subjects were not read";
+    assert!(opened.notices.iter().any(|notice| notice.text == stopped));
     // What holds for the cohort is told of those that were read.
     let alike = "both subjects have the same faces: their vertices correspond";
     assert!(opened.notices.iter().any(|notice| notice.text == alike));

@@ -40,7 +40,7 @@ fn classified(classifier: ClassifierSource) -> State {
     let reason = NotAssessed::WallNotResolved { share: 0.61 };
     let verdicts = Verdicts {
         subjects: vec![
-            Ok(verdict(Finding::Patch, 0.97)),
+            Ok(verdict(Finding::AbnormalPatch, 0.97)),
             Ok(verdict(Finding::Nothing, 0.04)),
             Err(reason),
         ],

@@ -111,8 +111,10 @@ pub(super) fn draw_bulls_eye(
         }
     }
     let colour = match content.standing {
-        PatchStanding::LowThickening => FAINT,
-        PatchStanding::NoVerdict | PatchStanding::Patch | PatchStanding::Abnormal => BORDER,
+        PatchStanding::RegionOnly => FAINT,
+        PatchStanding::NoVerdict
+        | PatchStanding::UnclassifiedPatch
+        | PatchStanding::AbnormalPatch => BORDER,
     };
     hatch(pen.page, flat, &disc, width);
     for border in flat.patches.iter().flat_map(|patch| &patch.borders) {

@@ -8,8 +8,8 @@ use crate::picture::figure::content::FigureContent;
 use crate::picture::figure::patch::order::PatchOrder;
 use crate::picture::page::FigureSettings;
 use crate::picture::patch_words::{
-    PatchStanding, extent_words, percent, probability_words, segment_words, sentence,
-    smallest_words,
+    PatchStanding, percent, probability_words, segment_words, sentence, smallest_words,
+    wall_thickening_words,
 };
 use crate::picture::quantity::Quantity;
 use crate::report::{Column, PatchRow};
@@ -44,14 +44,14 @@ impl VerdictLines {
                     None => "Not yet assessed".to_owned(),
                 },
                 abnormal: false,
-                evidence: extent_words(&wall.thickening),
+                evidence: wall_thickening_words(&wall.thickening),
             },
             Some((_, Err(reason))) => Self::not_assessed(Some(reason)),
             Some((all, Ok(verdict))) => {
                 let abnormal = verdict.finding != Finding::Nothing;
                 let mut heading = sentence(verdict.words());
                 let share: f64 = wall.thickening.patches.iter().map(|p| p.share).sum();
-                if verdict.finding == Finding::Patch && share > 0.0 {
+                if verdict.finding == Finding::AbnormalPatch && share > 0.0 {
                     heading = format!("{heading} · {} of the LV", percent(share));
                 }
                 Self {
@@ -172,9 +172,12 @@ impl PatchContent {
             (false, _) => {
                 "In a wall that is not resolved, regions may be due to blur or noise".to_owned()
             }
-            (true, 0) => sentences(&[extent_words(thickening), smallest_words(thickening)]),
+            (true, 0) => sentences(&[
+                wall_thickening_words(thickening),
+                smallest_words(thickening),
+            ]),
             (true, more) => sentences(&[
-                extent_words(thickening),
+                wall_thickening_words(thickening),
                 format!("{more} more in patches.csv"),
                 smallest_words(thickening),
             ]),

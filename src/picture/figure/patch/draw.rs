@@ -158,10 +158,10 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
     }
     for (index, (row, segments)) in content.rows.iter().zip(&frame.segments).enumerate() {
         let colour = match content.standing {
-            PatchStanding::LowThickening => theme.muted,
-            PatchStanding::NoVerdict | PatchStanding::Patch | PatchStanding::Abnormal => {
-                theme.emphasis
-            }
+            PatchStanding::RegionOnly => theme.muted,
+            PatchStanding::NoVerdict
+            | PatchStanding::UnclassifiedPatch
+            | PatchStanding::AbnormalPatch => theme.emphasis,
         };
         let number = pen.strong(colour, pen.text);
         let name = (index + 1).to_string();

@@ -74,11 +74,11 @@ fn subjects_that_share_some_frames_are_told_and_are_no_copies() {
     ];
     let copies = Copies::of(&subjects);
     assert_eq!(copies.groups(), [vec![1, 2]]);
-    let told = copies.notices(&subjects);
-    assert_eq!(told.len(), 2);
+    let notices = copies.notices(&subjects);
+    assert_eq!(notices.len(), 2);
     assert!(
-        told[1].text.ends_with("two ids: a and b (2 frames)"),
-        "{told:?}"
+        notices[1].text.ends_with("two ids: a and b (2 frames)"),
+        "{notices:?}"
     );
 }
 

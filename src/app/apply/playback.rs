@@ -1,60 +1,37 @@
-//! Commands that select a subject and a place in its cycle.
+//! Commands about the place in the cycle of the selected subject, and about playing.
 
-use crate::panes::BeatCommand;
-
-use super::change::{Moment, change};
 use crate::document::document::position_at_phase;
 use crate::document::loop_range::LoopRange;
 use crate::document::state::State;
 use crate::document::undo::Gesture;
-use crate::panes::cohort::view::visible_subjects;
+use crate::panes::PlaybackCommand;
 
-/// Applies a command about subjects or time.
-pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
-    if matches!(
-        command,
-        BeatCommand::SelectPose { .. }
-            | BeatCommand::SelectSubject(_)
-            | BeatCommand::StepSubject(_)
-    ) {
-        state.awaited = None;
-    }
+use super::change::{Moment, change};
+
+/// Applies a command about time.
+pub fn apply(state: &mut State, command: PlaybackCommand, moment: &Moment) {
     match command {
-        BeatCommand::SelectPose {
-            subject,
-            frame,
-            play,
-        } => select_pose(state, moment, subject, frame, play),
-        BeatCommand::SelectSubject(subject) => {
-            if subject < state.document.study().count() {
-                change(state, moment, None, |d| d.select_subject(subject));
-            }
-        }
-        BeatCommand::StepSubject(step) => step_subject(state, moment, step),
-        BeatCommand::CompareWith(subject) => {
-            change(state, moment, None, |d| d.compare_with = subject);
-        }
-        BeatCommand::SetPosition(position) => {
+        PlaybackCommand::SetPosition(position) => {
             state.play.playing = false;
             move_to(state, moment, position);
         }
-        BeatCommand::StepFrame(step) => step_frame(state, moment, step),
-        BeatCommand::GoToEndDiastole => {
+        PlaybackCommand::StepFrame(step) => step_frame(state, moment, step),
+        PlaybackCommand::GoToEndDiastole => {
             go_to(state, moment, state.phases_of(state.document.subject).0);
         }
-        BeatCommand::GoToEndSystole => {
+        PlaybackCommand::GoToEndSystole => {
             go_to(state, moment, state.phases_of(state.document.subject).1);
         }
-        BeatCommand::TogglePlay => toggle_play(state),
-        BeatCommand::SetSpeed(speed) => state.play.set_speed(speed),
-        BeatCommand::ToggleLoop => state.play.repeat = !state.play.repeat,
-        BeatCommand::SetLoopRange(frames) => set_loop_range(state, moment, frames),
-        BeatCommand::LoopFromHere | BeatCommand::LoopToHere => {
+        PlaybackCommand::TogglePlay => toggle_play(state),
+        PlaybackCommand::SetSpeed(speed) => state.play.set_speed(speed),
+        PlaybackCommand::ToggleLoop => state.play.repeat = !state.play.repeat,
+        PlaybackCommand::SetLoopRange(frames) => set_loop_range(state, moment, frames),
+        PlaybackCommand::LoopFromHere | PlaybackCommand::LoopToHere => {
             let document = &state.document;
             let (here, count) = (document.frame(), document.frame_count());
             let [from, to] = document.loop_frames().unwrap_or([0, count]);
             let frames = match command {
-                BeatCommand::LoopFromHere => [here, if to > here { to } else { count }],
+                PlaybackCommand::LoopFromHere => [here, if to > here { to } else { count }],
                 // The first frame is also the end of the cycle.
                 _ if here == 0 => [from, count],
                 _ => [if from < here { from } else { 0 }, here],
@@ -62,32 +39,6 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
             set_loop_range(state, moment, Some(frames));
         }
     }
-}
-
-fn select_pose(state: &mut State, moment: &Moment, subject: usize, frame: usize, play: bool) {
-    let Some(shown) = state.subject(subject) else {
-        return;
-    };
-    let frames = shown.sequence.frame_count();
-    change(state, moment, None, |document| {
-        document.select_subject_at(subject, frame.min(frames - 1) as f64);
-    });
-    state.play.playing = play && frames > 1;
-}
-
-fn step_subject(state: &mut State, moment: &Moment, step: i32) {
-    let rows = visible_subjects(state);
-    let count = rows.len() as i64;
-    if count == 0 {
-        return;
-    }
-    let row = rows.iter().position(|row| *row == state.document.subject);
-    // From a subject that the filter hides, the first step leads to the first or last row.
-    let here = row.map_or(if step > 0 { -1 } else { 0 }, |row| row as i64);
-    let next = (here + i64::from(step)).rem_euclid(count) as usize;
-    change(state, moment, None, |document| {
-        document.select_subject(rows[next]);
-    });
 }
 
 fn step_frame(state: &mut State, moment: &Moment, step: i32) {

@@ -1,4 +1,4 @@
-//! What menus and the palette must know to grey and tick their lines.
+//! When actions are disabled or ticked, for menus, the palette and keys: prepared from state and layout.
 
 use crate::app::layout::Layout;
 use crate::document::state::State;

@@ -4,13 +4,13 @@ use crate::mesh::Point3;
 
 /// Coordinates about the middle of all points, in units of their extent.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Unit {
+pub(super) struct ScaledCoordinates {
     pub middle: Point3,
     /// One over the extent.
     pub scale: f64,
 }
 
-impl Unit {
+impl ScaledCoordinates {
     pub fn new(points: &[Point3]) -> Self {
         let first = points.first().copied().unwrap_or_default();
         let (low, high) = (points.iter()).fold((first, first), |(low, high), point| {
