@@ -6,14 +6,13 @@ use std::sync::Arc;
 
 use crate::analysis::verdicts::CheckedRule;
 use crate::document::state::State;
-use crate::engine::{Engine, Interrupted, Job, RuleQuery, read_rule, rule_file};
+use crate::engine::{Engine, Job, RuleQuery, read_rule, rule_file};
 use crate::panes::{Command, RuleCommand};
-use crate::progress::Stopped;
 use crate::study::Study;
 use crate::ui::text::counted;
 
 use super::asks::verdict_settings;
-use super::errors::push_card;
+use super::errors::{interruption, push_card};
 
 /// Title of the card that says why a file gives no classifier.
 const FAILED: &str = "The classifier could not be used";
@@ -112,10 +111,7 @@ impl RuleExport {
         let words = counted(self.study.count(), "subject");
         engine.start_export("Classifier", words, move |progress| {
             let rule = store.answer(&self.study, &self.query, progress);
-            let rule = rule.map_err(|why| match why {
-                Interrupted::Stopped => Stopped.to_string(),
-                Interrupted::Failed(error) => error.to_string(),
-            })?;
+            let rule = rule.map_err(interruption)?;
             let file = rule_file(&rule, path).map_err(|error| error.to_string())?;
             Ok(vec![file])
         });

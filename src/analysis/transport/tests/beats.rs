@@ -121,7 +121,9 @@ fn hearts_that_do_not_fit_are_refused_with_both_names() {
     };
     // An end-diastole beyond the last frame is none.
     let onto = |subject: &Subject| {
-        transported_motion(&heart(0.3, 2), subject, &straight(), &Progress::default()).unwrap()
+        transported_motion(&heart(0.3, 2), subject, &straight(), &Progress::default())
+            .unwrap()
+            .sequence
     };
     assert_eq!(greatest_gap(&onto(&late), &onto(&heart(0.0, 2))), 0.0);
     let point = changed(&heart(0.0, 2), |_| Point3::new(1.0, 2.0, 3.0));

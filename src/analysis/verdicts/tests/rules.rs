@@ -211,9 +211,10 @@ fn a_heart_outside_what_a_rule_has_seen_says_by_which_feature_and_other_meshes_a
     let rule = learnt(&study()).check("cavities").unwrap();
     let far = Study {
         subjects: vec![
-            cavity(0, None, 0.3, 0.0, 2),
+            cavity(0, None, 0.6, 0.0, 2),
             cavity(1, None, 0.7, 0.0, 0),
             cavity(3, None, 0.7, 0.0, 4),
+            cavity(4, None, 0.3, 0.0, 2),
             // One pose has no motion.
             Arc::new(Subject::new(
                 "H2",
@@ -239,8 +240,15 @@ fn a_heart_outside_what_a_rule_has_seen_says_by_which_feature_and_other_meshes_a
     );
     // Finer meshes tell the same features.
     assert!(!of(&found, 2).abnormal);
+    let farther = found.subjects[3].as_ref().unwrap_err().to_string();
+    assert!(
+        farther.contains(
+            " × as far from the mean of the training set as the farthest of that (Ejection fraction"
+        ),
+        "{farther}"
+    );
     assert!(matches!(
-        found.subjects[3],
+        found.subjects[4],
         Err(NotAssessed::NoThickening(_))
     ));
 }
