@@ -4,9 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::{Context, ThemePreference, Ui};
+use egui::{Context, Ui};
 
-use crate::document::ThemeChoice;
 use crate::document::answers::Answers;
 
 use crate::engine::{Query, Topic, Wake};
@@ -22,7 +21,7 @@ use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::let_go::{give_keyboard_back, let_go_of_study};
 use super::path_question::PathQuestion;
-use super::settings::Settings;
+use super::settings::{Settings, choose_theme};
 use super::times::Times;
 use super::typefaces::Typefaces;
 use super::window_picture::{self, KeepPicture};
@@ -248,6 +247,15 @@ impl App {
                     self.queue.push(FileCommand::Open(study).into());
                 }
             }
+            Effect::ChooseRule => files.ask_for_rule(&exporting),
+            Effect::ExportRule(path) => files.ask_to_save_rule(&mut exporting, path),
+            Effect::ReadRule { rule, then } => {
+                let next = (then.as_deref()).is_some_and(|then| !matches!(then, Effect::Add(_)));
+                files.read_rule(exporting.state, exporting.engine, rule, next);
+                if let Some(then) = then {
+                    self.perform(ctx, *then);
+                }
+            }
             Effect::CompletePath(text) => files.complete_path(exporting.engine, text),
             Effect::TakePath { text, replace } => files.take_path(exporting.engine, text, replace),
             Effect::CancelPath => files.cancel_path(exporting.state),
@@ -303,15 +311,6 @@ impl App {
             ctx.request_repaint();
         }
     }
-}
-
-/// Follows a choice of theme.
-fn choose_theme(ctx: &Context, choice: ThemeChoice) {
-    ctx.set_theme(match choice {
-        ThemeChoice::System => ThemePreference::System,
-        ThemeChoice::Dark => ThemePreference::Dark,
-        ThemeChoice::Light => ThemePreference::Light,
-    });
 }
 
 impl eframe::App for App {

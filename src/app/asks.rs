@@ -74,6 +74,7 @@ pub fn deformation_settings(state: &State) -> DeformationMapQuery {
 pub fn verdict_settings(document: &Document) -> VerdictQuery {
     VerdictQuery {
         thickening: document.thickening,
+        rule: document.rule.clone(),
         ..VerdictQuery::default()
     }
 }

@@ -138,7 +138,7 @@ impl MotionAsks {
             params,
         };
         let showing = store.ask(study, &query);
-        let Showing::Ready(sequence) = &showing else {
+        let Showing::Ready(moved) = &showing else {
             let standing = match (showing.stopped(), showing.failure()) {
                 (true, _) => TransportState::Stopped,
                 (false, Some(_)) => TransportState::Failed,
@@ -148,10 +148,10 @@ impl MotionAsks {
         };
         let key = (study.revision, motion, params);
         let same = |transported: &TransportedSubject| {
-            transported.key == key && Arc::ptr_eq(&transported.sequence, sequence)
+            transported.key == key && Arc::ptr_eq(&transported.motion, moved)
         };
         if !self.transported.as_ref().is_some_and(same) {
-            self.transported = Some(TransportedSubject::new(key, sequence, from, onto));
+            self.transported = Some(TransportedSubject::new(key, moved, from, onto));
         }
         (self.transported.clone(), TransportState::Done)
     }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::engine::{Engine, OpenSource};
-use crate::panes::{Command, FileCommand};
+use crate::panes::{Command, FileCommand, RuleCommand};
 use crate::picture::Quantity;
 use crate::study::Subject;
 
@@ -12,6 +12,7 @@ use super::dialogs::Dialogs;
 use super::errors::push_card;
 use super::export::{FigureColours, FigureExport, FigureKind, NoFigure, TableExport};
 use super::path_question::{AskPaths, PathQuestion};
+use super::rules::{RuleExport, Rules, split_rule};
 use super::saved_views::{SavedViews, split_picture};
 use super::settings::remember_recent;
 use super::study_export::write_study_into;
@@ -79,6 +80,7 @@ pub struct Exporting<'a> {
 pub struct ChosenFiles {
     dialogs: Dialogs,
     saved_views: SavedViews,
+    rules: Rules,
     waiting_figures: Vec<WantedFigure>,
     /// The document that the store was asked for last.
     answered: Document,
@@ -90,6 +92,7 @@ impl ChosenFiles {
         Self {
             dialogs: Dialogs::new(ask_paths),
             saved_views: SavedViews::default(),
+            rules: Rules::default(),
             waiting_figures: Vec::new(),
             answered: State::default().document,
         }
@@ -105,6 +108,14 @@ impl ChosenFiles {
         let OpenSource::Paths(paths) = source else {
             return engine.open(source);
         };
+        let (rule, paths) = split_rule(paths);
+        let alone = rule.is_some() && paths.is_empty();
+        if let Some(rule) = rule {
+            self.read_rule(state, engine, rule, true);
+        }
+        if alone {
+            return engine.open(OpenSource::BuiltIn(state.built_in));
+        }
         let (picture, paths) = split_picture(paths);
         if let Some(picture) = picture {
             self.read_view(engine, picture, !paths.is_empty());
@@ -167,6 +178,41 @@ impl ChosenFiles {
             None
         };
         let question = PathQuestion::SaveStudy;
+        self.dialogs
+            .ask(exporting.engine, question, Box::new(write));
+    }
+
+    /// Asks which classifier to open, for the study on screen.
+    pub fn ask_for_rule(&mut self, exporting: &Exporting<'_>) {
+        let opening = exporting.state.document.study.opening;
+        let open = move |state: &mut State, _: &mut Engine, mut paths: Vec<PathBuf>| {
+            let same = state.document.study.opening == opening;
+            if !same {
+                let why = "another study was opened before it was chosen";
+                push_card(&mut state.errors, "No classifier was opened", why);
+            }
+            same.then(|| RuleCommand::Open(paths.swap_remove(0)).into())
+        };
+        let question = PathQuestion::OpenRule;
+        self.dialogs.ask(exporting.engine, question, Box::new(open));
+    }
+
+    /// Begins to read a classifier; `next` says whether it is for a study that was named with it.
+    pub fn read_rule(&mut self, state: &State, engine: &Engine, rule: PathBuf, next: bool) {
+        self.rules.read(state, engine, rule, next);
+    }
+
+    /// Fixes on what a classifier is trained at the moment it is asked for, then asks where it goes if that is not known.
+    pub fn ask_to_save_rule(&mut self, exporting: &mut Exporting<'_>, path: Option<PathBuf>) {
+        let rule = RuleExport::now(exporting.state);
+        if let Some(path) = path {
+            return rule.write(exporting.engine, path);
+        }
+        let write = |_: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
+            rule.write(engine, paths.swap_remove(0));
+            None
+        };
+        let question = PathQuestion::SaveRule;
         self.dialogs
             .ask(exporting.engine, question, Box::new(write));
     }
@@ -265,6 +311,7 @@ impl ChosenFiles {
     pub fn poll(&mut self, state: &mut State, engine: &mut Engine) -> Vec<Command> {
         let mut commands = Vec::from_iter(self.dialogs.poll(state, engine));
         commands.extend(self.saved_views.poll(state, engine));
+        commands.extend(self.rules.poll(state, engine));
         commands
     }
 }

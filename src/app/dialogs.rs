@@ -117,12 +117,17 @@ pub fn system_dialogs() -> AskPaths {
         }
         let dialog = rfd::FileDialog::new().set_title(question.title());
         let one = |path: Option<PathBuf>| path.map(|path| vec![path]);
+        let rules = |dialog: rfd::FileDialog| dialog.add_filter("Classifier", &["json"]);
         match question {
             PathQuestion::OpenFiles => dialog
                 .add_filter("Meshes and studies", &readable())
                 .add_filter("All files", &["*"])
                 .pick_files(),
             PathQuestion::OpenFolders => dialog.pick_folders(),
+            PathQuestion::OpenRule => one(rules(dialog).pick_file()),
+            PathQuestion::SaveRule => {
+                one(rules(dialog.set_file_name(question.suggested())).save_file())
+            }
             PathQuestion::SaveFigure { suggested, .. } => one(dialog
                 .set_file_name(suggested)
                 .add_filter("PNG picture", &["png"])

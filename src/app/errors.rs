@@ -1,8 +1,9 @@
 //! Error cards, shown until they are dismissed.
 
 use crate::document::ErrorCard;
-use crate::engine::{FailedWork, Topic};
+use crate::engine::{FailedWork, Interrupted, Topic};
 use crate::io::OpenError;
+use crate::progress::Stopped;
 
 /// Files that could not be opened have a card each up to this many; more are one card:
 /// a folder of a thousand bad files is one mistake.
@@ -16,6 +17,14 @@ pub fn push_card(cards: &mut Vec<ErrorCard>, title: impl Into<String>, message: 
         ..ErrorCard::default()
     };
     push(cards, card);
+}
+
+/// Why an export has no answer to write.
+pub fn interruption(why: Interrupted) -> String {
+    match why {
+        Interrupted::Stopped => Stopped.to_string(),
+        Interrupted::Failed(error) => error.to_string(),
+    }
 }
 
 /// Adds a card, unless the same one is still shown.

@@ -10,8 +10,8 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::ViewMode;
 use crate::engine::{
-    Engine, ExportFile, Interrupted, Store, TableSettings, ThickeningSettings, VerdictQuery,
-    distance_words, file_name, replace_results, tables_of_study,
+    Engine, ExportFile, Store, TableSettings, ThickeningSettings, VerdictQuery, distance_words,
+    file_name, replace_results, tables_of_study,
 };
 use crate::picture::figure::{
     FigureLook, FigureOrder, FigureSubject, FigureView, PatchOrder, check_figure_size,
@@ -19,11 +19,12 @@ use crate::picture::figure::{
 };
 use crate::picture::page::{FigureFonts, PageFormat};
 use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings, frames_around, sentence};
-use crate::progress::{Progress, Stopped};
+use crate::progress::Progress;
 use crate::render::{Camera, Headless};
 use crate::study::Study;
 
 use super::asks::{deformation_settings, verdict_settings};
+use super::errors::interruption;
 use super::typed_paths::with_png_ending;
 use crate::document::document::{Document, nearest_frame};
 use crate::document::play::pose_in;
@@ -351,10 +352,7 @@ impl TableExport {
         let store = Arc::clone(engine.store());
         engine.start_writing("Tables", words, move |progress| {
             let tables = tables_of_study(&store, &self.study, &self.settings, &folder, progress);
-            let tables = tables.map_err(|why| match why {
-                Interrupted::Stopped => Stopped.to_string(),
-                Interrupted::Failed(error) => error.to_string(),
-            })?;
+            let tables = tables.map_err(interruption)?;
             progress.check().map_err(|stopped| stopped.to_string())?;
             replace_results(&folder, tables)
         });

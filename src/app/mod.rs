@@ -26,6 +26,7 @@ mod layout;
 mod let_go;
 mod panes;
 mod path_question;
+mod rules;
 mod saved_views;
 mod settings;
 mod sheets;

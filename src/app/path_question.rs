@@ -14,6 +14,10 @@ pub enum PathQuestion {
     OpenFiles,
     /// Folders to open.
     OpenFolders,
+    /// The file of a classifier to open.
+    OpenRule,
+    /// A new file for a classifier.
+    SaveRule,
     /// A new file for a figure.
     SaveFigure {
         /// What the dialog is called.
@@ -33,6 +37,8 @@ impl PathQuestion {
         match self {
             Self::OpenFiles => "Open meshes or a study",
             Self::OpenFolders => "Open a folder of meshes",
+            Self::OpenRule => "Open a classifier",
+            Self::SaveRule => "Save a classifier trained on the study",
             Self::SaveFigure { title, .. } => title,
             Self::SaveTables => "Save all tables into a folder",
             Self::SaveStudy => "Save the study into an empty folder",
@@ -42,8 +48,8 @@ impl PathQuestion {
     /// What its button says.
     pub fn verb(&self) -> &'static str {
         match self {
-            Self::OpenFiles | Self::OpenFolders => "Open",
-            Self::SaveFigure { .. } | Self::SaveTables | Self::SaveStudy => "Save",
+            Self::OpenFiles | Self::OpenFolders | Self::OpenRule => "Open",
+            Self::SaveFigure { .. } | Self::SaveTables | Self::SaveStudy | Self::SaveRule => "Save",
         }
     }
 
@@ -53,7 +59,8 @@ impl PathQuestion {
             Self::SaveFigure { suggested, .. } => suggested,
             Self::SaveTables => "cardiomorph-tables",
             Self::SaveStudy => "cardiomorph-study",
-            Self::OpenFiles | Self::OpenFolders => "",
+            Self::SaveRule => "classifier.json",
+            Self::OpenFiles | Self::OpenFolders | Self::OpenRule => "",
         }
     }
 }

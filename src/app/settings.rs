@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 
+use egui::{Context, ThemePreference};
 use serde::{Deserialize, Serialize};
 
 use crate::document::ThemeChoice;
@@ -102,6 +103,15 @@ pub fn remember_recent(recent: &mut Vec<PathBuf>, opened: &[PathBuf]) {
     recent.retain(|path| !opened.contains(path));
     recent.splice(0..0, opened.iter().cloned());
     recent.truncate(MAX_RECENT);
+}
+
+/// Follows a choice of theme.
+pub fn choose_theme(ctx: &Context, choice: ThemeChoice) {
+    ctx.set_theme(match choice {
+        ThemeChoice::System => ThemePreference::System,
+        ThemeChoice::Dark => ThemePreference::Dark,
+        ThemeChoice::Light => ThemePreference::Light,
+    });
 }
 
 #[cfg(test)]

@@ -5,11 +5,9 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::verdicts::CheckedRule;
 use crate::cli::analyze_pictures::Pictured;
 use crate::cli::args::AnalyzeArgs;
 use crate::cli::input::{in_unit, interrupted, opened_study, store};
-use crate::cli::learn::read_rule;
 use crate::cli::letters::say_missing_letters;
 use crate::cli::measure::say_warnings;
 use crate::cli::outcome::CliError;
@@ -17,7 +15,7 @@ use crate::cli::print::{on_one_line, print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisTables, ResultFolder, TableSettings, Unassessed, VerdictQuery, columns_file,
+    AnalysisTables, ResultFolder, TableSettings, Unassessed, VerdictQuery, columns_file, read_rule,
 };
 use crate::study::Study;
 
@@ -41,19 +39,20 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
     let method = (args.maps.isomap).map_or_else(MapMethod::default, |neighbours| {
         MapMethod::Isomap { neighbours }
     });
+    let rule = (args.rule.as_deref().map(read_rule).transpose()).map_err(CliError::Unusable)?;
     let settings = TableSettings {
         deformations: args.maps.settings(&args.metric, method, &study)?,
         verdicts: VerdictQuery {
             thickening: args.patches.settings()?,
+            rule: rule.map(Arc::new),
             ..VerdictQuery::default()
         },
         distances: args.distances.into(),
     };
-    let rule = args.rule.as_deref().map(read_rule).transpose()?;
     say_missing_letters(&study);
     let results = Arc::new(ResultFolder::new(args.out.clone()));
     let figures = args.figures == Switch::On;
-    let outcome = analyzed_into(&results, &study, settings, rule, figures);
+    let outcome = analyzed_into(&results, &study, settings.clone(), figures);
     if let Err(error) = &outcome {
         let mut expected = settings.expected();
         expected.extend(figures.then(|| "figures".to_owned()));
@@ -70,26 +69,16 @@ fn analyzed_into(
     results: &Arc<ResultFolder>,
     study: &Arc<Study>,
     settings: TableSettings,
-    rule: Option<CheckedRule>,
     figures: bool,
 ) -> Result<Value, CliError> {
     let store = store()?;
     let work = (Arc::clone(&store), Arc::clone(study), Arc::clone(results));
+    let of = settings.clone();
     let tables = run_work(move |progress| {
         let (store, study, results) = &work;
         let mut deliver = |files| results.write(files);
         let folder = results.path();
-        let rule = rule.as_ref();
-        AnalysisTables::of(
-            store,
-            study,
-            &settings,
-            rule,
-            folder,
-            &mut deliver,
-            progress,
-        )
-        .map_err(interrupted)
+        AnalysisTables::of(store, study, &of, folder, &mut deliver, progress).map_err(interrupted)
     })?;
     if let Some(reason) = &tables.without_deformations {
         say(&format!("cardiomorph: no deformation map: {reason}"));

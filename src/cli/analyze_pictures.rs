@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::Verdicts;
+use crate::analysis::verdicts::{Finding, Verdicts};
 use crate::cli::figure::{Shot, Studio};
 use crate::cli::input::interrupted;
 use crate::cli::outcome::CliError;
@@ -172,7 +172,7 @@ impl Pictured {
         progress: &Progress,
     ) -> Result<Option<Arc<SubjectThickening>>, CliError> {
         let assessed = self.verdicts.subjects.get(subject);
-        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding.is_patch()) {
+        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::AbnormalPatch) {
             return Ok(None);
         }
         let query = WallThickeningQuery {

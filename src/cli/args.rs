@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
+use crate::analysis::verdicts::Feature;
 use crate::cli::experiment_args::ExperimentCommand;
 use crate::cli::figure_args::FigureArgs;
 use crate::cli::limit_options::LimitOptions;
@@ -15,7 +16,7 @@ use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
 use crate::cli::words::{
-    AlignWord, DistancesWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch, UnitWord,
+    AlignWord, DistancesWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch, UnitWord, feature,
 };
 use crate::io::MeshFormat;
 
@@ -179,6 +180,12 @@ pub struct LearnArgs {
     /// Output file, JSON: features, weights, ranges and accuracy, and no subject
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
+    /// Model features that the classifier reads, by their names in its file, with commas between them [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = feature)]
+    pub features: Vec<Feature>,
+    /// What the file says of itself
+    #[arg(long, value_name = "TEXT")]
+    pub note: Option<String>,
     #[command(flatten)]
     pub patches: PatchOptions,
     /// Print one JSON object

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::analysis::transport::{
-    CheckedTransportParams, FoundPath, TransportAccount, TransportParams, transport_deformation,
+    CheckedTransportParams, FoundPath, TransportParams, transport_deformation,
 };
 use crate::cli::args::TransferArgs;
 use crate::cli::corresponding::{laying, read};
@@ -58,28 +58,11 @@ pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
             AlignWord::Similarity =>
                 "aligned with the mesh by the best similarity of its first pose, scale included (--align none or rigid for another)",
         },
-        path_words(account),
+        account.path_words(),
         account.norm_change(),
         account.product_change(),
         args.out.display()
     ))
-}
-
-/// `along the geodesic, whose energy is 0.913 of the straight line's`.
-fn path_words(account: &TransportAccount) -> String {
-    let shares = account.paths.iter().map(FoundPath::energy_share);
-    let words = match account.paths.len() {
-        0 => return "along the straight line, as asked for".to_owned(),
-        1 => "along the geodesic, whose energy is".to_owned(),
-        count => format!("along {count} geodesics, whose energies are on average"),
-    };
-    let mean = shares.sum::<f64>() / account.paths.len() as f64;
-    let unfinished = account.paths.iter().filter(|path| !path.converged).count();
-    let unfinished = match unfinished {
-        0 => String::new(),
-        count => format!(" ({count} not converged)"),
-    };
-    format!("{words} {mean:.3} of the straight line's{unfinished}")
 }
 
 fn path_json(path: &FoundPath) -> serde_json::Value {

@@ -6,6 +6,7 @@ use clap::builder::PossibleValue;
 use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, METRICS, MetricKind, Regulariser};
 use crate::analysis::transport::Geodesics;
+use crate::analysis::verdicts::Feature;
 use crate::engine::DistanceTable;
 use crate::picture::{AnatomicalView, Quantity};
 
@@ -287,6 +288,12 @@ impl From<RegulariserWord> for Regulariser {
             RegulariserWord::Area => Self::Area,
         }
     }
+}
+
+/// A model feature by its name in the file of a classifier.
+pub fn feature(name: &str) -> Result<Feature, String> {
+    let names = || Feature::MODEL_FEATURES.map(Feature::name).join(", ");
+    Feature::of_name(name).ok_or_else(|| format!("the model features are {}", names()))
 }
 
 #[cfg(test)]

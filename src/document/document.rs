@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::verdicts::CheckedRule;
 use crate::document::ViewMode;
 use crate::document::cohort_sort::CohortSort;
 use crate::engine::{ClassesBy, PoseMapQuery, ThickeningSettings};
@@ -65,6 +66,8 @@ pub struct Document {
     pub shows_clusters: bool,
     /// What is akinetic, and what is a patch.
     pub thickening: ThickeningSettings,
+    /// The classifier from a file that makes the verdicts, in the place of the labels of the study.
+    pub rule: Option<Arc<CheckedRule>>,
     /// The patch or segment that is selected.
     pub part: Option<WallPart>,
     /// What the bull's-eye shows.
@@ -127,6 +130,7 @@ impl Document {
             chosen_classes: ClassesBy::default(),
             shows_clusters: true,
             thickening: ThickeningSettings::default(),
+            rule: None,
             part: None,
             bulls_eye: BullsEyeQuantity::default(),
             bulls_eye_segments: false,

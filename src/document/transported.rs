@@ -3,9 +3,9 @@
 
 use std::sync::Arc;
 
-use crate::analysis::transport::TransportParams;
+use crate::analysis::transport::{TransportParams, TransportedMotion as Transport};
 use crate::mesh::Point3;
-use crate::study::{MeshSequence, Revision, Subject};
+use crate::study::{Revision, Subject};
 
 use crate::document::document::{Document, TransportedMotion, cycle_share, position_at_phase};
 
@@ -28,8 +28,8 @@ pub enum TransportState {
 pub struct TransportedSubject {
     /// Whose motion on which subject, of which state of the study, with which settings.
     pub key: (Revision, TransportedMotion, TransportParams),
-    /// What came of it, as the engine gave it.
-    pub sequence: Arc<MeshSequence>,
+    /// What came of it, as the engine gave it, with how it was made.
+    pub motion: Arc<Transport>,
     /// The subject with the transported motion: frames of the motion, all else of the subject.
     pub subject: Arc<Subject>,
     /// For every frame, the distance of each vertex from where the subject's own motion has it at the
@@ -41,7 +41,7 @@ impl TransportedSubject {
     /// A subject with the sequence that the engine gave.
     pub fn new(
         key: (Revision, TransportedMotion, TransportParams),
-        sequence: &Arc<MeshSequence>,
+        motion: &Arc<Transport>,
         from: &Subject,
         onto: &Subject,
     ) -> Self {
@@ -54,14 +54,14 @@ impl TransportedSubject {
             anatomy: onto.anatomy,
             ..Subject::new(
                 transported_title(from, onto),
-                MeshSequence::clone(sequence),
+                motion.sequence.clone(),
                 onto.unit,
             )
         };
         Self {
             distances: Arc::new(differences_from_own_motion(&subject, onto)),
             key,
-            sequence: Arc::clone(sequence),
+            motion: Arc::clone(motion),
             subject: Arc::new(subject),
         }
     }
@@ -118,15 +118,22 @@ fn pose_between(subject: &Subject, position: f64) -> Option<Vec<Point3>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::transport::TransportAccount;
     use crate::document::testing::subject_with_frames;
+
+    fn as_it_is(subject: &Subject) -> Arc<Transport> {
+        Arc::new(Transport {
+            sequence: subject.sequence.clone(),
+            account: TransportAccount::default(),
+        })
+    }
 
     #[test]
     fn a_motion_transported_to_its_own_subject_has_no_difference() {
         let heart = subject_with_frames("a", 6);
         let motion = TransportedMotion { from: 0, onto: 1 };
         let key = (Revision(1), motion, TransportParams::default());
-        let sequence = Arc::new(heart.sequence.clone());
-        let transported = TransportedSubject::new(key, &sequence, &heart, &heart);
+        let transported = TransportedSubject::new(key, &as_it_is(&heart), &heart, &heart);
         assert_eq!(transported.distances.len(), 6);
         assert!(transported.distances.iter().flatten().all(|d| *d < 1e-6));
         assert_eq!(transported.subject.id, "Motion of a on a");
@@ -138,8 +145,7 @@ mod tests {
         let (fast, slow) = (subject_with_frames("a", 4), subject_with_frames("b", 8));
         let motion = TransportedMotion { from: 0, onto: 1 };
         let key = (Revision(1), motion, TransportParams::default());
-        let transported =
-            TransportedSubject::new(key, &Arc::new(fast.sequence.clone()), &fast, &slow);
+        let transported = TransportedSubject::new(key, &as_it_is(&fast), &fast, &slow);
         for (frame, distances) in transported.distances.iter().enumerate() {
             let wanted = frame as f32;
             assert!(

@@ -59,10 +59,11 @@ mod tests {
         };
         Arc::new(Verdicts {
             subjects: findings.iter().map(verdict).collect(),
-            classifier: ClassifierSource::Uncalibrated {
+            classifier: ClassifierSource::Cohort {
                 normal: 0,
                 abnormal: 0,
             },
+            features: Vec::new(),
             quality: None,
         })
     }

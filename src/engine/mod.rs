@@ -21,6 +21,7 @@ mod private_file;
 mod queries;
 mod reading_limits;
 mod result_folder;
+mod rule_file;
 mod stages;
 mod store;
 mod tables;
@@ -40,6 +41,7 @@ pub use private_file::make_private;
 pub use queries::*;
 pub use reading_limits::{configure_limits, reading_limits};
 pub use result_folder::{ResultFolder, replace_results};
+pub use rule_file::{read_rule, rule_file};
 pub use stages::Stage;
 pub use store::{
     Answered, Context, Dependencies, FailedWork, Interrupted, Memory, Query, SharedError, Showing,

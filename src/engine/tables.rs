@@ -10,7 +10,7 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::medial_map;
-use crate::analysis::verdicts::{CheckedRule, Verdicts, verdicts, verdicts_by_rule};
+use crate::analysis::verdicts::{Verdicts, verdicts};
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
 use crate::engine::queries::{
     ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap, PoseMapQuery,
@@ -56,11 +56,11 @@ impl DistanceTable {
 }
 
 /// Settings of an analysis of a whole study.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TableSettings {
     /// How poses and deformations are compared and mapped.
     pub deformations: DeformationMapQuery,
-    /// How walls are assessed, and what a verdict is.
+    /// How walls are assessed, and what a verdict is and by which rule.
     pub verdicts: VerdictQuery,
     /// How distances of poses are written.
     pub distances: DistanceTable,
@@ -116,8 +116,7 @@ pub type Deliver<'a> = dyn FnMut(Vec<ExportFile>) -> Result<(), String> + 'a;
 
 impl AnalysisTables {
     /// Does the whole analysis for `folder` and delivers each table as soon as it is known. Poses are mapped by classical
-    /// scaling, by stress majorisation and by the method of the settings. A rule, where there is one, makes the verdicts in the
-    /// place of the labels of the study. The tables of atoms and of distances grow beside
+    /// scaling, by stress majorisation and by the method of the settings. The tables of atoms and of distances grow beside
     /// their place, since those of a large cohort do not fit into memory.
     ///
     /// # Errors
@@ -127,7 +126,6 @@ impl AnalysisTables {
         store: &Store,
         study: &Arc<Study>,
         settings: &TableSettings,
-        rule: Option<&CheckedRule>,
         folder: &Path,
         deliver: &mut Deliver<'_>,
         progress: &Progress,
@@ -175,10 +173,8 @@ impl AnalysisTables {
         hand_over(files.into())?;
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
         let checked = settings.verdicts.verdicts.check()?;
-        let verdicts = match rule {
-            Some(rule) => verdicts_by_rule(study, &walls.examined, rule)?,
-            None => verdicts(study, &walls.examined, &checked, &part)?,
-        };
+        let rule = settings.verdicts.rule.as_deref();
+        let verdicts = verdicts(study, &walls.examined, &checked, rule, &part)?;
         let medial = medial_map(&walls.paths, MapMethod::ClassicalMds, &part);
         let medial = match medial.map_err(Interrupted::from) {
             Ok(map) => Ok(map),
@@ -242,7 +238,7 @@ pub fn tables_of_study(
         files.extend(more);
         Ok(())
     };
-    let tables = AnalysisTables::of(store, study, settings, None, folder, &mut keep, progress)?;
+    let tables = AnalysisTables::of(store, study, settings, folder, &mut keep, progress)?;
     let names = |files: &[ExportFile]| -> Vec<String> {
         let names = files.iter();
         names

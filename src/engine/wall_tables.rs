@@ -110,6 +110,7 @@ impl WallTables {
         let VerdictQuery {
             thickening,
             verdicts,
+            ..
         } = settings;
         let checked = verdicts.check()?;
         let count = study.subjects.len().max(1) as f32;

@@ -31,10 +31,8 @@ impl PatchStanding {
         match verdict {
             None => Self::NoVerdict,
             Some(Ok(verdict)) if verdict.finding == Finding::AbnormalPatch => Self::AbnormalPatch,
-            // Default thresholds do not tell what is abnormal.
-            Some(Ok(verdict)) if verdict.finding == Finding::UnclassifiedPatch => {
-                Self::UnclassifiedPatch
-            }
+            // The wall is told, but no classifier can say what of it is abnormal.
+            Some(Err(NotAssessed::NotComparable(_))) => Self::UnclassifiedPatch,
             Some(_) => Self::RegionOnly,
         }
     }

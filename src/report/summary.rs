@@ -3,9 +3,10 @@
 use serde_json::{Value, json};
 
 use crate::analysis::classification::{Accuracy, Classes};
-use crate::analysis::deformations::DeformationMap;
+use crate::analysis::deformations::{DeformationMap, PartDistances};
 use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::MedialMap;
+use crate::analysis::transport::FoundPath;
 use crate::study::Study;
 
 /// How well a pose map keeps distances.
@@ -57,6 +58,7 @@ pub(super) fn deformations_json(study: &Study, map: &DeformationMap, comparison:
     json!({
         "compared": comparison,
         "left_out": left_out.collect::<Vec<Value>>(),
+        "transports": map.parts.as_ref().map(|mapped| transports_json(study, &mapped.parts)),
         "count": map.subjects.len(),
         "time_weight": map.time_weight,
         "samples": map.curves.first().map_or(0, Vec::len),
@@ -65,6 +67,24 @@ pub(super) fn deformations_json(study: &Study, map: &DeformationMap, comparison:
         "parts": map.embedding.parts,
         "reconstruction_error": map.embedding.reconstruction_error,
     })
+}
+
+/// How the motion of each subject was transported onto the reference: energies of the geodesics over those of the straight
+/// lines, none where that was asked for, and the largest relative changes of norms and of products with the direction. A motion
+/// for which no geodesic was found is left out, with the reason.
+fn transports_json(study: &Study, parts: &PartDistances) -> Vec<Value> {
+    (parts.subjects.iter().zip(&parts.transports))
+        .map(|(&subject, account)| {
+            let shares = account.paths.iter().map(FoundPath::energy_share);
+            json!({
+                "subject": study.subjects.get(subject).map(|subject| &subject.id),
+                "energy_shares": shares.collect::<Vec<f64>>(),
+                "converged": account.not_converged() == 0,
+                "norm_change": account.norm_change(),
+                "product_change": account.product_change(),
+            })
+        })
+        .collect()
 }
 
 /// Accuracies of the classifiers (leave-one-out), each beside its permutation mean. `null` where fewer than

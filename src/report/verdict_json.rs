@@ -2,17 +2,32 @@
 
 use serde_json::{Value, json};
 
-use crate::analysis::verdicts::{ClassifierSource, Feature, VerdictParams, Verdicts};
+use crate::analysis::verdicts::{ClassifierSource, RuleSource, VerdictParams, Verdicts};
 
 /// `rule` is `"learnt"` for a classifier trained on the labelled subjects, `"file"` for a rule that was learnt on another study,
-/// `"fixed"` for default thresholds where they
-/// are too few; `quality` is null then. Counts are subjects; accuracy and AUC are leave-one-out, beside their
+/// `"built-in"` for the one that ships with the program, where they
+/// are too few; `quality` is null then, and `classifier` says what the rule was learnt on. Counts are subjects; accuracy and AUC are leave-one-out, beside their
 /// permutation means.
 pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
-    let (source, normal, abnormal) = match verdicts.classifier {
+    let (source, normal, abnormal) = match &verdicts.classifier {
         ClassifierSource::Cohort { normal, abnormal } => ("learnt", normal, abnormal),
-        ClassifierSource::Rule { normal, abnormal } => ("file", normal, abnormal),
-        ClassifierSource::Uncalibrated { normal, abnormal } => ("fixed", normal, abnormal),
+        ClassifierSource::Rule(RuleSource {
+            labelled: Some([normal, abnormal]),
+            ..
+        }) => ("built-in", normal, abnormal),
+        ClassifierSource::Rule(RuleSource {
+            normal, abnormal, ..
+        }) => ("file", normal, abnormal),
+    };
+    let source_json = match &verdicts.classifier {
+        ClassifierSource::Cohort { .. } => Value::Null,
+        ClassifierSource::Rule(rule) => json!({
+            "name": rule.name,
+            "study": rule.study,
+            "normal": rule.normal,
+            "abnormal": rule.abnormal,
+            "auc": rule.auc,
+        }),
     };
     let assessed = || {
         verdicts
@@ -22,9 +37,10 @@ pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
     };
     json!({
         "rule": source,
+        "classifier": source_json,
         "normal": normal,
         "abnormal": abnormal,
-        "features": Feature::MODEL_FEATURES.map(Feature::name),
+        "features": verdicts.features.iter().map(|feature| feature.name()).collect::<Vec<_>>(),
         "parameters": {
             "least_labelled": params.min_labelled,
             "least_wall_volume": params.min_wall_volume,

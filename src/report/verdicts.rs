@@ -4,7 +4,7 @@ use super::column::{Column, column};
 use super::measures::SubjectRow;
 use super::shared;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::{ClassifierSource, Features, Verdict, Verdicts};
+use crate::analysis::verdicts::{Features, Verdict, Verdicts};
 use crate::study::Study;
 
 /// What the classifier and the patch detection say of one subject together.
@@ -16,8 +16,7 @@ pub struct VerdictRow {
     pub label: Option<String>,
     /// Whether there is a verdict.
     pub assessed: bool,
-    /// Whether it is classified as abnormal; `None` where it is not assessed, and where default thresholds stand in for a
-    /// classifier.
+    /// Whether it is classified as abnormal; `None` where it is not assessed.
     pub abnormal: Option<bool>,
     /// Predicted probability of class abnormal.
     pub probability: Option<f64>,
@@ -61,16 +60,14 @@ impl VerdictRow {
         |row: &Self| row.probability.into(),
     )
     .share(
-        "Predicted probability of class abnormal, leave-one-out where the subject has a label; an \
-                 uncalibrated score where calibrated is no",
+        "Predicted probability of class abnormal, leave-one-out where the classifier was trained on the subject",
     )
     .or_short("Probability");
     /// The verdict in words.
     pub const FINDING: Column<Self> = column("finding", "Verdict", |row: &Self| row.finding.into())
         .plain(
             "Verdict as the window shows it: no regional abnormality, abnormal patch, global \
-                     hypokinesia, abnormal without a patch, patch of low thickening (default thresholds), normal \
-                     or abnormal, wall not assessed, or not assessed",
+                     hypokinesia, abnormal without a patch, normal or abnormal, wall not assessed, or not assessed",
         );
 
     /// One row per subject of the study.
@@ -84,7 +81,7 @@ impl VerdictRow {
                     ..Self::default()
                 };
                 match assessed {
-                    Ok(verdict) => unassessed.with(study, verdict, verdicts.classifier),
+                    Ok(verdict) => unassessed.with(study, verdict),
                     Err(reason) => Self {
                         finding: Some("not assessed"),
                         reason: Some(reason.to_string()),
@@ -104,12 +101,11 @@ impl VerdictRow {
         rows
     }
 
-    fn with(self, study: &Study, verdict: &Verdict, classifier: ClassifierSource) -> Self {
+    fn with(self, study: &Study, verdict: &Verdict) -> Self {
         let names = |others: &[usize]| {
             let subjects = others.iter().filter_map(|&other| study.subjects.get(other));
             subjects.map(|subject| subject.id.clone()).collect()
         };
-        let calibrated = classifier.is_calibrated();
         let outside: Vec<&str> = (verdict.outside.iter())
             .map(|feature| feature.name())
             .collect();
@@ -121,10 +117,10 @@ impl VerdictRow {
             .collect::<Vec<_>>();
         Self {
             assessed: true,
-            abnormal: calibrated.then_some(verdict.abnormal),
+            abnormal: Some(verdict.abnormal),
             probability: Some(verdict.probability),
             finding: Some(verdict.words()),
-            calibrated: Some(calibrated),
+            calibrated: Some(true),
             kind: verdict.kinds.first().map(|kind| kind.label.clone()),
             kind_probability: verdict.kinds.first().map(|kind| kind.probability),
             kinds: kinds.join("; "),

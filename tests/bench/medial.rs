@@ -152,7 +152,7 @@ fn hearts(criterion: &mut Criterion) {
                 };
                 bencher.iter(|| {
                     let examined = assessed(subject)?;
-                    verdicts(&alone, &[Ok(examined)], &params, &Progress::default()).ok()
+                    verdicts(&alone, &[Ok(examined)], &params, None, &Progress::default()).ok()
                 });
             });
             criterion.bench_function(
@@ -168,7 +168,7 @@ fn hearts(criterion: &mut Criterion) {
                         .collect();
                     bencher.iter(|| {
                         hearts[ILL] = Ok(assessed(&study.subjects[ILL])?);
-                        verdicts(study, &hearts, &params, &Progress::default()).ok()
+                        verdicts(study, &hearts, &params, None, &Progress::default()).ok()
                     });
                 },
             );

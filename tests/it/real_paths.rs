@@ -7,6 +7,7 @@ use cardiomorph::analysis::geodesics::{GeodesicParams, GeodesicPath, geodesic};
 use cardiomorph::analysis::transport::{TransportParams, transport_deformation};
 use cardiomorph::mesh::{CappedSheet, Faces, Point3, sheets};
 use cardiomorph::progress::Progress;
+use cardiomorph::study::built_in::{BuiltInParams, cohort};
 use cardiomorph::study::{SurfaceKind, SurfaceSequence};
 
 use crate::shared::{opened, shared_data};
@@ -108,6 +109,89 @@ fn the_way_of_a_galloping_horse_does_not_collapse() {
     );
 }
 
+/// Root mean square distance over vertices, of the frame where it is largest.
+fn apart(a: &[Vec<Point3>], b: &[Vec<Point3>]) -> f64 {
+    let frames = a.iter().zip(b).map(|(a, b)| {
+        let squares = a.iter().zip(b).map(|(p, q)| (p - q).norm_squared());
+        (squares.sum::<f64>() / a.len() as f64).sqrt()
+    });
+    frames.fold(0.0, f64::max)
+}
+
+/// By how much a motion that was transported onto another subject and back differs from itself, as a share of the motion,
+/// with 0, 1, 3 and 7 interpolated poses. Both ways go along the same geodesic, which is searched for from either end.
+fn loops(faces: &Faces, source: &[Vec<Point3>], onto: &[Point3]) -> [f64; 4] {
+    let still = vec![source[0].clone(); source.len()];
+    let moved = apart(source, &still);
+    [0, 1, 3, 7].map(|interpolated_poses| {
+        let params = TransportParams {
+            interpolated_poses,
+            ..TransportParams::default()
+        };
+        let (params, progress) = (params.check().unwrap(), Progress::default());
+        let transport = |source: &[Vec<Point3>], onto: &[Point3]| {
+            let found = transport_deformation(faces, source, onto, &params, &progress).unwrap();
+            assert_eq!(found.account.not_converged(), 0, "{:?}", found.account);
+            found.poses
+        };
+        let there = transport(source, onto);
+        apart(&transport(&there, &source[0]), source) / moved
+    })
+}
+
+#[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
+fn a_real_motion_that_is_transported_there_and_back_returns() {
+    for kind in [SurfaceKind::Endocardium, SurfaceKind::Epicardium] {
+        let of = |folder| surface(shared_data(folder), kind);
+        let from = of("cine_mri/bivme_patient1");
+        let onto = of("cine_mri/bivme_testpatient2_EDES");
+        let onto = onto.frames()[0].vertices();
+        let laid = rigid_motion(from.frames()[0].vertices(), onto).unwrap();
+        let source: Vec<Vec<Point3>> = (from.frames().iter())
+            .map(|frame| frame.vertices().iter().map(|p| laid.apply(p)).collect())
+            .collect();
+        let gaps = loops(from.faces(), &source, onto);
+        println!("cine_mri, {kind:?}, there and back, as shares of the motion: {gaps:.4?}");
+        returns(&gaps);
+    }
+}
+
+#[test]
+fn a_built_in_motion_that_is_transported_there_and_back_returns() {
+    let params = BuiltInParams {
+        vertices: 800,
+        ..BuiltInParams::default()
+    };
+    let study = cohort(&params).unwrap().study;
+    // N01, and P05 with a large patch.
+    let [from, onto] = [0, 13].map(|index| &study.subjects[index].sequence);
+    let faces = from.joined_faces();
+    let onto = onto.pose(0).unwrap();
+    let laid = rigid_motion(&from.pose(0).unwrap(), &onto).unwrap();
+    let source: Vec<Vec<Point3>> = (0..from.frame_count())
+        .map(|frame| {
+            from.pose(frame)
+                .unwrap()
+                .iter()
+                .map(|p| laid.apply(p))
+                .collect()
+        })
+        .collect();
+    let gaps = loops(&faces, &source, &onto);
+    println!("built-in, there and back, as shares of the motion: {gaps:.4?}");
+    returns(&gaps);
+}
+
+/// What the scheme loses on a loop falls with the length of a step, and is small by the default.
+fn returns(gaps: &[f64; 4]) {
+    assert!(gaps.is_sorted_by(|a, b| a >= b), "{gaps:?}");
+    assert!(gaps[2] < 0.02, "{gaps:?}");
+}
+
 /// Of the endocardium of one subject onto that of another, from end-diastole on.
 #[test]
 #[cfg_attr(
@@ -142,14 +226,6 @@ fn interpolated_poses_change_a_real_transport_and_more_of_them_change_it_less() 
         assert_eq!(account.paths.len(), usize::from(interpolated_poses > 0));
         found.poses
     });
-    // Root mean square over vertices, of the frame where it is largest.
-    let apart = |a: &[Vec<Point3>], b: &[Vec<Point3>]| {
-        let frames = a.iter().zip(b).map(|(a, b)| {
-            let squares = a.iter().zip(b).map(|(p, q)| (p - q).norm_squared());
-            (squares.sum::<f64>() / a.len() as f64).sqrt()
-        });
-        frames.fold(0.0, f64::max)
-    };
     let still = vec![onto.to_vec(); source.len()];
     let moved = apart(&transported[0], &still);
     let changes: Vec<f64> = (transported.windows(2))

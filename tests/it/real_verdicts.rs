@@ -23,7 +23,7 @@ fn verdicts_of(study: &Study) -> Verdicts {
             Err(reason) => Err(NotAssessed::NoThickening(reason.clone())),
         })
         .collect();
-    verdicts(study, &inputs, &params, &Progress::default()).unwrap()
+    verdicts(study, &inputs, &params, None, &Progress::default()).unwrap()
 }
 
 /// The assessed hearts with a label.
@@ -149,10 +149,10 @@ fn the_rim_of_a_wall_that_was_cut_is_no_patch() {
                 verdict.words()
             );
         }
-        // Nobody has labelled these volunteers. Whoever keeps a patch ejects less than any normal heart.
-        assert_ne!(verdict.finding, Finding::AbnormalPatch);
-        assert!(!verdict.finding.is_patch() || ef < 0.45, "{}", subject.id);
-        patched += usize::from(verdict.finding.is_patch());
+        // Nobody has labelled these volunteers. The built-in classifier was trained on none of them; whoever it calls abnormal
+        // ejects less than any normal heart.
+        assert_eq!(verdict.abnormal, ef < 0.45, "{}: {ef}", subject.id);
+        patched += usize::from(verdict.finding == Finding::AbnormalPatch);
     }
     assert!(
         study.subjects.len() == 25 && patched <= 4,

@@ -8,7 +8,9 @@ use crate::analysis::pose_distances::{
     CheckedPoseDistanceParams, DistanceMatrix, LeftOut, PoseDistanceError, PoseDistanceParamError,
     PoseDistanceParams, pose_distances, smoothed_study,
 };
-use crate::analysis::transport::{CohortTransportParams, TransportedCohort, transport_cohort};
+use crate::analysis::transport::{
+    CohortTransportParams, TransportAccount, TransportedCohort, transport_cohort,
+};
 use crate::mesh::Point3;
 use crate::numeric::median;
 use crate::progress::Progress;
@@ -109,6 +111,8 @@ pub struct PartDistances {
     pub shape: DistanceMatrix,
     /// Subjects that take no part, in the order of the study.
     pub left_out: Vec<LeftOut>,
+    /// How the motion of each row was transported.
+    pub transports: Vec<TransportAccount>,
     /// Of deformations and of shapes, over all pairs.
     medians: [f64; 2],
 }
@@ -119,6 +123,7 @@ impl PartDistances {
         subjects: Vec<usize>,
         [deformation, shape]: [DistanceMatrix; 2],
         left_out: Vec<LeftOut>,
+        transports: Vec<TransportAccount>,
     ) -> Self {
         Self {
             medians: [&deformation, &shape]
@@ -127,6 +132,7 @@ impl PartDistances {
             deformation,
             shape,
             left_out,
+            transports,
         }
     }
 
@@ -203,11 +209,14 @@ pub fn part_distances(
     left_out.append(&mut cohort.left_out);
     left_out.sort_by_key(|left| left.subject);
     left_out.dedup_by_key(|left| left.subject);
+    let transports = (cohort.members.iter_mut())
+        .map(|member| std::mem::take(&mut member.account))
+        .collect();
     let deformation = motion_distances(&smooth, cohort, metric, &comparing)?;
     let rows: Vec<usize> = subjects.iter().map(|subject| row_of[subject]).collect();
     let shape = DistanceMatrix::of_pairs(rows.len(), |i, j| shapes.distances.get(rows[i], rows[j]));
     let parts = [deformation, shape.unwrap_or_else(DistanceMatrix::empty)];
-    Ok(PartDistances::new(subjects, parts, left_out))
+    Ok(PartDistances::new(subjects, parts, left_out, transports))
 }
 
 /// A pose so far from the rest that squares overflow takes the whole subject out, since its motion would have a gap.

@@ -7,7 +7,16 @@ use crate::mesh::{Point3, TriMesh};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Subject, SurfaceSequence};
 
-use super::{CheckedTransportParams, TransportError, transport_deformation};
+use super::{CheckedTransportParams, TransportAccount, TransportError, transport_deformation};
+
+/// The motion of one subject on another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransportedMotion {
+    /// As many frames as the motion has, surfaces of the subject that it was transported onto.
+    pub sequence: MeshSequence,
+    /// How they were made.
+    pub account: TransportAccount,
+}
 
 /// The beat of `from` on the subject `onto`, in the coordinates of `onto`: its end-diastolic pose is
 /// that of `onto`, the frames are those of `from`.
@@ -25,7 +34,7 @@ pub fn transported_motion(
     onto: &Subject,
     params: &CheckedTransportParams,
     progress: &Progress,
-) -> Result<MeshSequence, TransportError> {
+) -> Result<TransportedMotion, TransportError> {
     if from.sequence.correspondence() != onto.sequence.correspondence() {
         return Err(TransportError::NoCorrespondence {
             from: from.id.clone(),
@@ -48,7 +57,10 @@ pub fn transported_motion(
     if let Some(pose) = onto.sequence.pose(target.frame) {
         frames[source.frame] = pose;
     }
-    sequence_like(&onto.sequence, &frames)
+    Ok(TransportedMotion {
+        sequence: sequence_like(&onto.sequence, &frames)?,
+        account: transported.account,
+    })
 }
 
 /// A subject at end-diastole, its size normalised.

@@ -16,7 +16,7 @@ mod params;
 mod pose_path;
 
 pub use account::{FoundPath, TransportAccount, TransportedPoses, TransportedStep};
-pub use beat::{sequence_like, transported_motion};
+pub use beat::{TransportedMotion, sequence_like, transported_motion};
 pub use cohort::{TransportedCohort, TransportedSubject, transport_cohort};
 pub use deformation::{DeformationTransport, transport_deformation};
 pub use error::TransportError;

@@ -1,23 +1,16 @@
-//! What a classifier, or default thresholds in its place, say of one subject.
+//! What a classifier says of one subject.
 
 use crate::analysis::measures::EF_RANGE;
 use crate::analysis::thickening::WallThickening;
 
-use super::classifier::{Model, Row};
+use super::checked_rule::CheckedRule;
+use super::classifier::Model;
 use super::cohort::{Cohort, Trained};
-use super::design::Design;
 use super::feature::Feature;
 use super::features::Features;
-use super::logistic::sigmoid;
 use super::result::{Examined, Finding, Kind, Reason, Verdict};
-use super::rule::CheckedRule;
 use super::similarity::{nearest_distances, nearest_rows, training_set_distance};
 
-/// Akinetic share at which the uncalibrated classifier is undecided: between the most of 20 normal subjects (5.0 %) and the
-/// least of the built-in patches (5.9 %).
-const AKINETIC_LIMIT: f64 = 0.055;
-/// How far from there it is for odds of e to one.
-const AKINETIC_SCALE: f64 = 0.01;
 /// [`Feature::UpperRange`] below which an abnormal subject's hypokinesia is global: it is above in all 20 normal subjects, as in
 /// 19 of 20 with infarction and all built-in subjects with a patch, and below in 15 of 20 dilated ones.
 const REGIONAL_REACH: f64 = 0.65;
@@ -29,7 +22,7 @@ const REASONS: usize = 3;
 /// What is needed for the verdict on each subject.
 pub(super) struct Classification<'a> {
     cohort: &'a Cohort,
-    trained: Option<&'a Trained>,
+    trained: &'a Trained,
     /// Where it comes from, if not from this study.
     rule: Option<&'a CheckedRule>,
     /// Standardised rows; empty where not assessed.
@@ -38,22 +31,8 @@ pub(super) struct Classification<'a> {
 }
 
 impl<'a> Classification<'a> {
-    pub fn new(
-        cohort: &'a Cohort,
-        trained: Option<&'a Trained>,
-        rule: Option<&'a CheckedRule>,
-    ) -> Self {
-        let assessed: Vec<&Row> = cohort
-            .rows
-            .iter()
-            .filter(|row| !row.is_empty())
-            .map(Vec::as_slice)
-            .collect();
-        let design = trained.map_or_else(
-            // Without a classifier distances between subjects still need a common scale.
-            || Design::new(&assessed),
-            |trained| trained.abnormal.classifier.design.clone(),
-        );
+    pub fn new(cohort: &'a Cohort, trained: &'a Trained, rule: Option<&'a CheckedRule>) -> Self {
+        let design = &trained.abnormal.classifier.design;
         // In standard deviations, or the feature of the largest numbers would decide who is similar.
         let standardised: Vec<Vec<f64>> = (cohort.rows.iter())
             .map(|row| {
@@ -64,9 +43,7 @@ impl<'a> Classification<'a> {
                 }
             })
             .collect();
-        let nearest_distances = trained.map_or_else(Vec::new, |trained| {
-            nearest_distances(&standardised, &trained.training_set)
-        });
+        let nearest_distances = nearest_distances(&standardised, &trained.training_set);
         Self {
             cohort,
             trained,
@@ -91,25 +68,12 @@ impl<'a> Classification<'a> {
     /// Where a subject, or the first of its copies, is in the training set.
     fn place(&self, index: usize) -> Option<usize> {
         let first = self.cohort.copies.first_of(index);
-        self.trained?.training_set.binary_search(&first).ok()
-    }
-
-    fn probability(&self, index: usize, features: &Features) -> f64 {
-        let Some(trained) = self.trained else {
-            // Without labels nothing can be trained; the akinetic share with a default threshold stands in, and is
-            // called a score.
-            let akinetic = features.get(Feature::AkineticShare).unwrap_or(0.0);
-            return sigmoid((akinetic - AKINETIC_LIMIT) / AKINETIC_SCALE);
-        };
-        self.probability_by(&trained.abnormal, index)
+        self.trained.training_set.binary_search(&first).ok()
     }
 
     /// The kinds, the most probable first.
     fn kinds(&self, index: usize) -> Vec<Kind> {
-        let models = self
-            .trained
-            .map_or(&[][..], |trained| trained.kinds.as_slice());
-        let mut kinds: Vec<Kind> = (models.iter())
+        let mut kinds: Vec<Kind> = (self.trained.kinds.iter())
             .map(|(label, model)| Kind {
                 label: label.clone(),
                 probability: self.probability_by(model, index),
@@ -126,9 +90,7 @@ impl<'a> Classification<'a> {
 
     /// The features of a subject that speak most for what it is called.
     fn reasons(&self, index: usize, abnormal: bool) -> Vec<Reason> {
-        let Some(model) = self.trained.map(|trained| &trained.abnormal) else {
-            return Vec::new();
-        };
+        let model = &self.trained.abnormal;
         let classifier = (self.place(index)).map_or(&model.classifier, |place| {
             &model.left_out.classifiers[place]
         });
@@ -150,7 +112,7 @@ impl<'a> Classification<'a> {
     /// The verdict on one subject that is assessed.
     pub fn verdict(&self, index: usize, subject: &Examined) -> Verdict {
         let features = &subject.features;
-        let probability = self.probability(index, features);
+        let probability = self.probability_by(&self.trained.abnormal, index);
         // At one half the subject counts as normal.
         let abnormal = probability > 0.5;
         let nearest_rows = |among: &[usize]| {
@@ -163,11 +125,6 @@ impl<'a> Classification<'a> {
         Verdict {
             finding: match (abnormal, failure(features, subject.wall_thickening)) {
                 (false, _) => Finding::Nothing,
-                // Default thresholds find the patch, but nothing has told what is abnormal.
-                (true, Finding::AbnormalPatch) if self.trained.is_none() => {
-                    Finding::UnclassifiedPatch
-                }
-                (true, Finding::WithoutPatch) if self.trained.is_none() => Finding::Nothing,
                 (true, finding) => finding,
             },
             wall: subject.wall_thickening.is_some(),
@@ -179,15 +136,14 @@ impl<'a> Classification<'a> {
             probability,
             similar_normal: nearest_rows(&self.cohort.normal),
             similar_abnormal: nearest_rows(&self.cohort.abnormal),
-            training_set_distance: match (self.rule, self.trained) {
-                (Some(rule), _) => rule.distance(&self.standardised[index]),
-                (None, Some(trained)) => training_set_distance(
+            training_set_distance: match self.rule {
+                Some(rule) => rule.distance(&self.standardised[index]),
+                None => training_set_distance(
                     &self.standardised,
                     self.cohort.copies.first_of(index),
-                    &trained.training_set,
+                    &self.trained.training_set,
                     &self.nearest_distances,
                 ),
-                (None, None) => None,
             },
             features: features.clone(),
             patched: subject.patched,

@@ -32,7 +32,7 @@ pub(super) struct Cohort {
 }
 
 /// The classifiers of a cohort, with their leave-one-out results on the subjects that they were trained on.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Trained {
     /// Abnormal or not.
     pub abnormal: Model,

@@ -3,11 +3,14 @@
 use crate::progress::Stopped;
 
 /// Why there are no verdicts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum VerdictError {
     /// It was asked to stop.
     #[error("{0}")]
     Stopped(#[from] Stopped),
+    /// The rule that ships with the program cannot be read.
+    #[error("the built-in classifier cannot be used: {0}")]
+    BuiltIn(#[from] RuleError),
     /// Thickening and subjects are not of the same subjects.
     #[error("thickening of {examined} subjects does not belong to {subjects} subjects")]
     Count {
@@ -19,7 +22,7 @@ pub enum VerdictError {
 }
 
 /// Why no rule could be learnt.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LearnError {
     /// As of verdicts.
     #[error(transparent)]
@@ -36,11 +39,17 @@ pub enum LearnError {
         /// What is needed of each.
         least: usize,
     },
+    /// Nothing to read was named.
+    #[error("a classifier reads at least one model feature")]
+    NoFeatures,
 }
 
 /// Why a rule cannot be applied.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RuleError {
+    /// Its text is that of none.
+    #[error("{0}")]
+    Text(String),
     /// It is none, or of another version.
     #[error("version {version} of “{format}” is not a rule that this version reads")]
     Form {
@@ -49,9 +58,12 @@ pub enum RuleError {
         /// Its version.
         version: u32,
     },
-    /// It reads other features.
-    #[error("it reads other features than this version has")]
-    Features,
+    /// It reads a feature that is none of this program's, or in another unit.
+    #[error("it reads a feature that this version does not have: {0}")]
+    Feature(String),
+    /// It reads none, or not in the order of this program.
+    #[error("its features are none, or not in the order of the program")]
+    Order,
     /// Numbers are missing, infinite, or divide by zero.
     #[error("its numbers are not those of a classifier")]
     Numbers,

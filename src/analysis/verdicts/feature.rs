@@ -63,6 +63,12 @@ macro_rules! features {
             /// shown as evidence: see [`verdicts`](super::verdicts()) for what was measured.
             pub const MODEL_FEATURES: [Self; [$(Self::$model,)*].len()] = [$(Self::$model,)*];
 
+            /// The model feature of a name, in any case.
+            pub fn of_name(name: &str) -> Option<Self> {
+                let mut all = Self::MODEL_FEATURES.into_iter();
+                all.find(|feature| feature.name().eq_ignore_ascii_case(name.trim()))
+            }
+
             /// What it is called in tables, on screen and in files of classifiers.
             pub const fn name(self) -> &'static str {
                 match self {

@@ -53,9 +53,10 @@ pub(super) fn training_set_distance(
     })
 }
 
-/// Root mean square of a standardised row: how many standard deviations it lies from the mean, per feature.
-pub(super) fn distance_from_mean(row: &[f64]) -> f64 {
-    (row.iter().map(|x| x * x).sum::<f64>() / row.len().max(1) as f64).sqrt()
+/// Root mean square over the columns of a standardised row that are not always 0, of which there are `count`: how many
+/// standard deviations it lies from the mean, per column.
+pub(super) fn distance_from_mean(row: &[f64], count: usize) -> f64 {
+    (row.iter().map(|x| x * x).sum::<f64>() / count.max(1) as f64).sqrt()
 }
 
 /// Steps between the quantiles of a rule.
@@ -129,7 +130,7 @@ mod tests {
             );
             assert_eq!((found.median, found.distance), (100.0, distance));
         }
-        assert_eq!(distance_from_mean(&[3.0, -3.0]), 3.0);
+        assert_eq!(distance_from_mean(&[3.0, 0.0, -3.0], 2), 3.0);
         assert_eq!(distance_among(&[], 1.0), None);
     }
 }

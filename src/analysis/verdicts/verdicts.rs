@@ -4,13 +4,15 @@ use crate::analysis::thickening::AKINETIC_PT;
 use crate::progress::Progress;
 use crate::study::Study;
 
+use super::checked_rule::CheckedRule;
 use super::classification::Classification;
 use super::cohort::Cohort;
 use super::error::VerdictError;
+use super::feature::Feature;
 use super::features::{Features, VerdictInput, wall_volume_ratio};
 use super::params::CheckedVerdictParams;
-use super::result::{ClassifierSource, Examined, NotAssessed, Verdicts};
-use super::rule::CheckedRule;
+use super::result::{ClassifierSource, Examined, NotAssessed, RuleSource, Verdict, Verdicts};
+use super::shipped::built_in_rule;
 use super::whole_heart::with_whole_hearts;
 
 /// Thickening of remote myocardium, in standard deviations of averaged noise, or of the least that counts as
@@ -23,8 +25,8 @@ const SURE: f64 = 3.0;
 ///    noise of thickening is a third of what remote myocardium does or more.
 /// 2. The rest is classified by a logistic classifier on [`super::Feature::MODEL_FEATURES`], standardised, both classes
 ///    weighing alike, trained on the subjects whose label is of class normal or abnormal. The verdict on a labelled
-///    subject comes from a classifier trained without it, calibrated by the scores of the others. With too few labels
-///    a default threshold stands in: an akinetic share of the wall of 5.5 %.
+///    subject comes from a classifier trained without it, calibrated by the scores of the others. A rule, where one is given,
+///    classifies all subjects in its place, whatever their labels; with too few labels it is [`built_in_rule`].
 /// 3. An abnormal subject has a patch where thickening found one, unless its [`super::Feature::UpperRange`] is small: then
 ///    hypokinesia is global.
 ///
@@ -45,65 +47,73 @@ pub fn verdicts(
     study: &Study,
     examined: &[Result<Examined, NotAssessed>],
     params: &CheckedVerdictParams,
+    rule: Option<&CheckedRule>,
     progress: &Progress,
 ) -> Result<Verdicts, VerdictError> {
+    let known = with_whole_hearts(study, examined)?;
+    if let Some(rule) = rule {
+        return Ok(by_rule(study, &known, examined, rule, None));
+    }
     progress.expect_steps(params.permutations as usize + 1);
-    let told = examined;
-    let examined = with_whole_hearts(study, examined)?;
-    let cohort = Cohort::new(study, &examined);
-    let trained = cohort.train(params, progress)?;
-    let classified = Classification::new(&cohort, trained.as_ref(), None);
-    let subjects = (examined.iter().zip(told).enumerate())
-        .map(|(index, (subject, told))| match (subject, told) {
-            // Default thresholds are about walls alone.
-            (Ok(_), Err(reason)) if trained.is_none() => Err(reason.clone()),
-            (Ok(subject), _) => Ok(classified.verdict(index, subject)),
-            (Err(reason), _) => Err(reason.clone()),
-        })
-        .collect();
+    let cohort = Cohort::new(study, &known);
     let (normal, abnormal) = cohort.counts();
+    let Some(trained) = cohort.train(params, progress)? else {
+        let labelled = Some([normal, abnormal]);
+        return Ok(by_rule(study, &known, examined, built_in_rule()?, labelled));
+    };
     Ok(Verdicts {
-        subjects,
-        classifier: match trained {
-            Some(_) => ClassifierSource::Cohort { normal, abnormal },
-            None => ClassifierSource::Uncalibrated { normal, abnormal },
-        },
-        quality: trained.and_then(|trained| trained.quality),
+        subjects: all(&Classification::new(&cohort, &trained, None), known),
+        classifier: ClassifierSource::Cohort { normal, abnormal },
+        features: Feature::MODEL_FEATURES.to_vec(),
+        quality: trained.quality,
     })
 }
 
-/// The verdicts of a rule on all subjects of a study, whatever their labels.
-///
-/// # Errors
-/// If the subjects are not those of the study.
-pub fn verdicts_by_rule(
+/// The verdicts of a rule on all subjects, whatever their labels. `labelled` is what [`RuleSource::labelled`] says.
+fn by_rule(
     study: &Study,
-    examined: &[Result<Examined, NotAssessed>],
+    known: &[Result<Examined, NotAssessed>],
+    walls: &[Result<Examined, NotAssessed>],
     rule: &CheckedRule,
-) -> Result<Verdicts, VerdictError> {
-    let examined: Vec<_> = (study.subjects.iter())
-        .zip(with_whole_hearts(study, examined)?)
-        .map(|(subject, examined)| match rule.not_comparable(subject) {
-            Some(reason) if examined.is_ok() => Err(reason),
-            _ => examined,
+    labelled: Option<[usize; 2]>,
+) -> Verdicts {
+    let known: Vec<_> = (study.subjects.iter().zip(known).zip(walls))
+        .map(|((subject, known), wall)| {
+            let examined = known.clone()?;
+            let row = examined.features.model_features();
+            match (rule.not_comparable(subject, &row), wall) {
+                // Nobody asked for the rule: that there is no wall says more than what the rule was learnt on.
+                (Some(_), Err(reason)) if labelled.is_some() => Err(reason.clone()),
+                (Some(reason), _) => Err(reason),
+                (None, _) => Ok(examined),
+            }
         })
         .collect();
-    let cohort = Cohort::new(study, &examined);
-    let classified = Classification::new(&cohort, Some(rule.trained()), Some(rule));
-    let training = &rule.rule().training;
-    Ok(Verdicts {
-        subjects: (examined.iter().enumerate())
-            .map(|(index, subject)| match subject {
-                Ok(subject) => Ok(classified.verdict(index, subject)),
-                Err(reason) => Err(reason.clone()),
-            })
-            .collect(),
-        classifier: ClassifierSource::Rule {
+    let cohort = Cohort::new(study, &known);
+    let classified = Classification::new(&cohort, rule.trained(), Some(rule));
+    let (origin, training) = (&rule.rule().origin, &rule.rule().training);
+    Verdicts {
+        subjects: all(&classified, known),
+        classifier: ClassifierSource::Rule(RuleSource {
+            name: rule.name().to_owned(),
+            study: origin.study.clone(),
             normal: training.normal,
             abnormal: training.abnormal,
-        },
+            auc: training.auc,
+            labelled,
+        }),
+        features: rule.features(),
         quality: None,
-    })
+    }
+}
+
+fn all(
+    classified: &Classification<'_>,
+    examined: Vec<Result<Examined, NotAssessed>>,
+) -> Vec<Result<Verdict, NotAssessed>> {
+    (examined.into_iter().enumerate())
+        .map(|(index, subject)| Ok(classified.verdict(index, &subject?)))
+        .collect()
 }
 
 /// What [`verdicts`] reads of one subject; no atoms are needed any more, so that a cohort of any size can be classified.

@@ -46,6 +46,17 @@ pub enum Effect {
         /// Files and folders of its study; none where only the picture was named.
         study: Vec<PathBuf>,
     },
+    /// Ask for the file of a classifier.
+    ChooseRule,
+    /// Read a classifier, for the study on screen or for the one that is opened.
+    ReadRule {
+        /// Its file.
+        rule: PathBuf,
+        /// What else was named with it.
+        then: Option<Box<Effect>>,
+    },
+    /// Train a classifier on the study and write it; asks where if `None`.
+    ExportRule(Option<PathBuf>),
     /// Complete a path that is typed.
     CompletePath(String),
     /// Take a path that was typed.

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::app::export::FigureKind;
+use crate::app::rules::{is_rule, split_rule};
 use crate::app::saved_views::split_picture;
 use crate::app::settings::remember_recent;
 use crate::document::Leaving;
@@ -19,6 +20,10 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         FileCommand::ChooseFiles => Some(Effect::ChooseFiles),
         FileCommand::ChooseFolder => Some(Effect::ChooseFolder),
         FileCommand::Open(paths) if paths.is_empty() => None,
+        FileCommand::Open(mut paths) if is_open && paths.len() == 1 && is_rule(&paths[0]) => {
+            let (rule, then) = (paths.swap_remove(0), None);
+            Some(Effect::ReadRule { rule, then })
+        }
         FileCommand::Open(paths) => {
             let (picture, study) = split_picture(paths.clone());
             match picture {
@@ -34,7 +39,11 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         FileCommand::ChooseFilesToAdd => is_open.then_some(Effect::ChooseFilesToAdd),
         FileCommand::ChooseFolderToAdd => is_open.then_some(Effect::ChooseFolderToAdd),
         FileCommand::Add(paths) if !is_open => apply_file(state, FileCommand::Open(paths)),
-        FileCommand::Add(paths) => (!paths.is_empty()).then_some(Effect::Add(paths)),
+        FileCommand::Add(paths) => {
+            let (rule, subjects) = split_rule(paths);
+            let add = (!subjects.is_empty()).then_some(Effect::Add(subjects));
+            with_rule(rule, add)
+        }
         FileCommand::ExportStudy(folder) => {
             is_open.then_some(Effect::ExportStudy { folder, then: None })
         }
@@ -86,17 +95,28 @@ fn left(state: &mut State, leaving: Leaving) -> Option<Effect> {
         Leaving::Quit => Effect::Quit,
         Leaving::FollowLinks => Effect::FollowLinks,
         Leaving::Open(OpenSource::Paths(paths)) => {
+            let (rule, paths) = split_rule(paths);
             let (picture, study) = split_picture(paths);
-            match picture {
+            let open = match picture {
                 Some(picture) => Effect::ReadPicture { picture, study },
                 None => {
                     remember_recent(&mut state.recent, &study);
                     Effect::Open(OpenSource::Paths(study))
                 }
-            }
+            };
+            return with_rule(rule, Some(open));
         }
         Leaving::Open(source) => Effect::Open(source),
     })
+}
+
+/// What is done with the paths beside a classifier, and with that.
+fn with_rule(rule: Option<PathBuf>, then: Option<Effect>) -> Option<Effect> {
+    let Some(rule) = rule else {
+        return then;
+    };
+    let then = then.map(Box::new);
+    Some(Effect::ReadRule { rule, then })
 }
 
 fn figure(kind: FigureKind, path: Option<PathBuf>, is_open: bool) -> Option<Effect> {

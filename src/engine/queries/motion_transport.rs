@@ -1,11 +1,11 @@
 //! The motion of one subject on another, by parallel transport.
 
-use crate::analysis::transport::{TransportParams, transported_motion};
+use crate::analysis::transport::{TransportParams, TransportedMotion, transported_motion};
 use crate::engine::queries::pose_distances::metric_words;
 use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::mesh::Point3;
-use crate::study::{MeshSequence, Study};
+use crate::study::Study;
 
 /// The motion of one subject on another, in the coordinates of the other.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub struct MotionTransportQuery {
 }
 
 impl Query for MotionTransportQuery {
-    type Answer = MeshSequence;
+    type Answer = TransportedMotion;
     const TITLE: &'static str = "Motion transport";
     const FAILURE: Option<&'static str> = Some("The motion could not be transported");
 
@@ -33,7 +33,7 @@ impl Query for MotionTransportQuery {
         Dependencies::shapes(study, [self.from, self.onto])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<MeshSequence, Interrupted> {
+    fn run(&self, cx: &Context<'_>) -> Result<TransportedMotion, Interrupted> {
         let params = self.params.check()?;
         let subject = |index| subject_of(cx.study(), index);
         let (from, onto) = (subject(self.from)?, subject(self.onto)?);
@@ -42,7 +42,8 @@ impl Query for MotionTransportQuery {
         Ok(transported_motion(from, onto, &params, cx.progress())?)
     }
 
-    fn memory(sequence: &MeshSequence, memory: &mut Memory) {
+    fn memory(motion: &TransportedMotion, memory: &mut Memory) {
+        let sequence = &motion.sequence;
         memory.own(sequence.frame_count() * sequence.vertex_count() * size_of::<Point3>());
     }
 

@@ -291,7 +291,8 @@ fn what_depends_on_shapes_alone_survives_an_edited_label() {
 #[test]
 fn a_transported_motion_begins_as_the_heart_that_it_moves() {
     let (study, store) = (study(), store());
-    let beat = ask(&store, &study, &transfer());
+    let motion = ask(&store, &study, &transfer());
+    let beat = &motion.sequence;
     let (from, onto) = (&study.subjects[3].sequence, &study.subjects[0].sequence);
     assert_eq!(beat.frame_count(), from.frame_count());
     assert_eq!(beat.pose(0), onto.pose(0));

@@ -1,8 +1,10 @@
 //! Verdicts on all subjects of a study: walls one after the other, then a classifier trained on the labels.
 
+use std::sync::Arc;
+
 use crate::analysis::verdicts::{
-    CheckedVerdictParams, Examined, NotAssessed, Rule, VerdictInput, VerdictParams, Verdicts,
-    examine, learn, verdicts,
+    CheckedRule, CheckedVerdictParams, Examined, Feature, NotAssessed, Rule, VerdictInput,
+    VerdictParams, Verdicts, examine, learn, verdicts,
 };
 use crate::engine::queries::thickening::{
     ThickeningSettings, WallThickeningQuery, thickening_words,
@@ -14,12 +16,14 @@ use crate::progress::Stopped;
 const WALLS_SHARE: f32 = 0.95;
 
 /// Settings of verdicts, from the surfaces on.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct VerdictQuery {
     /// How walls are assessed.
     pub thickening: ThickeningSettings,
     /// How a verdict is made.
     pub verdicts: VerdictParams,
+    /// Which rule makes it, in the place of the labels of the study.
+    pub rule: Option<Arc<CheckedRule>>,
 }
 
 impl Query for VerdictQuery {
@@ -33,7 +37,10 @@ impl Query for VerdictQuery {
             permutations, seed, ..
         } = self.verdicts;
         let walls = thickening_words(&self.thickening);
-        format!("{walls}; {permutations} permutations, seed {seed}")
+        match &self.rule {
+            Some(rule) => format!("{walls}; classifier “{}”", rule.name()),
+            None => format!("{walls}; {permutations} permutations, seed {seed}"),
+        }
     }
 
     /// A subject whose wall cannot be assessed is no error.
@@ -41,7 +48,14 @@ impl Query for VerdictQuery {
         let params = self.verdicts.check()?;
         let examined = self.examined(cx, &params)?;
         let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
-        Ok(verdicts(cx.study(), &examined, &params, part.progress())?)
+        let rule = self.rule.as_deref();
+        Ok(verdicts(
+            cx.study(),
+            &examined,
+            &params,
+            rule,
+            part.progress(),
+        )?)
     }
 
     fn memory(verdicts: &Verdicts, memory: &mut Memory) {
@@ -76,8 +90,23 @@ impl VerdictQuery {
 }
 
 /// The rule that is learnt from a study with these settings.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RuleQuery(pub VerdictQuery);
+#[derive(Clone, Debug, PartialEq)]
+pub struct RuleQuery {
+    /// How walls are assessed, and verdicts made.
+    pub verdicts: VerdictQuery,
+    /// Which model features it reads.
+    pub features: Vec<Feature>,
+}
+
+impl RuleQuery {
+    /// A rule that reads all of them.
+    pub fn new(verdicts: VerdictQuery) -> Self {
+        Self {
+            verdicts,
+            features: Feature::MODEL_FEATURES.to_vec(),
+        }
+    }
+}
 
 impl Query for RuleQuery {
     type Answer = Rule;
@@ -86,14 +115,20 @@ impl Query for RuleQuery {
     const URGENCY: Urgency = Urgency::Background;
 
     fn parameters(&self) -> String {
-        self.0.parameters()
+        self.verdicts.parameters()
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<Rule, Interrupted> {
-        let params = self.0.verdicts.check()?;
-        let examined = self.0.examined(cx, &params)?;
+        let params = self.verdicts.verdicts.check()?;
+        let examined = self.verdicts.examined(cx, &params)?;
         let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
-        Ok(learn(cx.study(), &examined, &params, part.progress())?)
+        Ok(learn(
+            cx.study(),
+            &examined,
+            &params,
+            &self.features,
+            part.progress(),
+        )?)
     }
 
     fn memory(rule: &Rule, memory: &mut Memory) {

@@ -8,6 +8,7 @@ mod file;
 mod map;
 mod pane;
 mod playback;
+mod rule;
 mod select;
 mod transport;
 mod view;
@@ -18,7 +19,7 @@ mod work;
 use std::sync::LazyLock;
 
 pub use {action::*, edit::*, file::*, map::*, pane::*};
-pub use {playback::*, select::*, transport::*, view::*, wall::*, window::*, work::*};
+pub use {playback::*, rule::*, select::*, transport::*, view::*, wall::*, window::*, work::*};
 
 /// One request of the user.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,8 @@ pub enum Command {
     Map(MapCommand),
     /// The wall and its patches; applied by `app/apply/wall.rs`.
     Wall(WallCommand),
+    /// The classifier from a file; applied by `app/apply/rule.rs`.
+    Rule(RuleCommand),
     /// Transported motions and interpolated poses; applied by `app/apply/transport.rs`.
     Transport(TransportCommand),
     /// Undo, redo, and edits of the study; applied by `app/apply/edit.rs`.
@@ -57,7 +60,8 @@ macro_rules! kinds {
 
 #[rustfmt::skip]
 kinds!(
-    Select(SelectCommand), Playback(PlaybackCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Transport(TransportCommand),
+    Select(SelectCommand), Playback(PlaybackCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Rule(RuleCommand),
+    Transport(TransportCommand),
     Edit(EditCommand), File(FileCommand), Work(WorkCommand), Window(WindowCommand)
 );
 
@@ -72,6 +76,7 @@ pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
         .chain(wide(playback::ACTIONS))
         .chain(wide(view::ACTIONS))
         .chain(wide(wall::ACTIONS))
+        .chain(wide(rule::ACTIONS))
         .chain(wide(transport::ACTIONS))
         .chain(of_metrics().map(|row| row.widened()))
         .chain(wide(map::ACTIONS))

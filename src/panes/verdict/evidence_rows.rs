@@ -42,7 +42,7 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
                 normal: normal.map_or_else(String::new, |range| range_text(feature.unit(), range)),
                 place: value.and_then(place),
                 band: normal.and_then(|[least, most]| Some([place(least)?, place(most)?])),
-                model_feature: Feature::MODEL_FEATURES.contains(&feature),
+                model_feature: verdicts.features.contains(&feature),
             }
         })
         .collect()

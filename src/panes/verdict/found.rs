@@ -87,19 +87,9 @@ pub(super) fn percent(probability: f64) -> String {
 fn probability_ui(ui: &mut Ui, report: &VerdictReport, probability: f64) {
     let colours = colours(ui);
     ui.add_space(space::SMALL);
-    let (name, value, what) = if report.calibrated {
-        let what = "Predicted probability of class abnormal, with equal prior probabilities of both \
-                    classes; above 50 % the subject is classified as abnormal";
-        (
-            "Predicted probability of abnormal",
-            percent(probability),
-            what,
-        )
-    } else {
-        let what = "Not a probability: too few labelled subjects to train a classifier; above 0.5 the \
-                    subject is classified as abnormal";
-        ("Uncalibrated score", format!("{probability:.2}"), what)
-    };
+    let (name, value) = ("Predicted probability of abnormal", percent(probability));
+    let what = "Predicted probability of class abnormal, with equal prior probabilities of both classes; above 50 % the \
+                subject is classified as abnormal";
     let words = format!("{name}: {value}");
     let response = pair_ui(ui, name, &value);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.as_str()));

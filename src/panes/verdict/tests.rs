@@ -21,7 +21,6 @@ fn report() -> VerdictReport {
         probability: Some(0.973),
         kinds: vec![("MINF".to_owned(), "97 %".to_owned())],
         reasons: "Strongest features: Akinetic region 31 %".to_owned(),
-        calibrated: true,
         source: "Leave-one-out: this subject was not in the training set",
         training_distance: Some(TrainingDistance {
             words: "1.2 × the median distance".to_owned(),
@@ -145,17 +144,6 @@ fn what_was_stopped_or_failed_can_be_asked_for_again() {
             ))]
         );
     }
-}
-
-#[test]
-fn an_uncalibrated_score_is_not_called_a_probability() {
-    let fixed = VerdictReport {
-        calibrated: false,
-        ..report()
-    };
-    let shown = harness(WorkState::Ready, Some(fixed), Some("P07"));
-    shown.get_by_label("Uncalibrated score: 0.97");
-    assert!(shown.query_by_label_contains("probability").is_none());
 }
 
 #[test]

@@ -19,9 +19,7 @@ pub struct VerdictReport {
     pub kinds: Vec<(String, String)>,
     /// The features that speak most for the class, in words; empty without any.
     pub reasons: String,
-    /// Whether that number is a probability; else it is an uncalibrated score.
-    pub calibrated: bool,
-    /// Which classifier it is from: leave-one-out, trained on others, default thresholds.
+    /// Which classifier it is from: leave-one-out, trained on others, a file, the built-in one.
     pub source: &'static str,
     /// Distance to the training set; `None` without one.
     pub training_distance: Option<TrainingDistance>,

@@ -1,8 +1,8 @@
 //! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
-    ClassifierQuality, ClassifierSource, Feature, Finding, TrainingSetDistance, Verdict,
-    VerdictParams, Verdicts,
+    ClassifierQuality, ClassifierSource, Feature, Finding, NotAssessed, RuleSource,
+    TrainingSetDistance, Verdict, Verdicts,
 };
 use crate::document::state::State;
 use crate::engine::Showing;
@@ -62,6 +62,10 @@ fn report(state: &State) -> Option<VerdictReport> {
             let (verdicts, _) = state.verdicts()?;
             Some(report_of(state, verdicts, verdict))
         }
+        (Some(Err(NotAssessed::NotComparable(why))), _) => Some(VerdictReport {
+            heading: "Not comparable".to_owned(),
+            ..not_assessed(why.clone())
+        }),
         (Some(Err(reason)), _) => Some(not_assessed(reason.to_string())),
         _ if state.document.study().is_excluded(subject) => {
             Some(not_assessed("excluded from the cohort".to_owned()))
@@ -75,22 +79,23 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
     let study = state.document.study();
     let class =
         (state.document.selected()).map_or(LabelClass::Neither, |shown| study.class_of(shown));
-    let calibrated = verdicts.classifier.is_calibrated();
     VerdictReport {
         mark: mark(verdict.finding),
         heading: heading(verdict),
-        sentence: sentence(verdict, calibrated),
+        sentence: sentence(verdict),
         kinds: (verdict.kinds.iter())
             .map(|kind| (kind.label.clone(), super::found::percent(kind.probability)))
             .collect(),
         reasons: reasons(verdict),
         probability: Some(verdict.probability),
-        calibrated,
-        source: match (verdicts.classifier, class) {
-            (ClassifierSource::Uncalibrated { .. }, _) => {
-                "Default thresholds: too few labelled subjects"
-            }
-            (ClassifierSource::Rule { .. }, _) => "Classifier of another study, from a file",
+        source: match (&verdicts.classifier, class) {
+            (
+                ClassifierSource::Rule(RuleSource {
+                    labelled: Some(_), ..
+                }),
+                _,
+            ) => "Built-in classifier: too few labelled subjects",
+            (ClassifierSource::Rule(_), _) => "Classifier of another study, from a file",
             (ClassifierSource::Cohort { .. }, LabelClass::Neither) => {
                 "Classifier trained on the labelled subjects; this subject has no class"
             }
@@ -113,7 +118,7 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
 fn mark(finding: Finding) -> VerdictMark {
     match finding {
         Finding::Nothing => VerdictMark::NoAbnormality,
-        Finding::AbnormalPatch | Finding::UnclassifiedPatch => VerdictMark::Patch,
+        Finding::AbnormalPatch => VerdictMark::Patch,
         Finding::GlobalHypokinesia => VerdictMark::GlobalHypokinesia,
         Finding::WithoutPatch => VerdictMark::AbnormalWithoutPatch,
     }
@@ -123,7 +128,7 @@ fn mark(finding: Finding) -> VerdictMark {
 fn heading(verdict: &Verdict) -> String {
     match verdict.finding {
         _ if !verdict.wall => crate::picture::sentence(verdict.words()),
-        finding if finding.is_patch() => {
+        finding @ Finding::AbnormalPatch => {
             let name = crate::picture::sentence(finding.name());
             format!("{name} · {} of the LV", percent(verdict.patched))
         }
@@ -132,7 +137,7 @@ fn heading(verdict: &Verdict) -> String {
 }
 
 /// What the finding means, with what could be mistaken for another one.
-fn sentence(verdict: &Verdict, calibrated: bool) -> String {
+fn sentence(verdict: &Verdict) -> String {
     let little = (verdict.patched > 0.0)
         .then(|| format!("; low thickening in {} of the LV", percent(verdict.patched)));
     let little = little.unwrap_or_default();
@@ -141,10 +146,8 @@ fn sentence(verdict: &Verdict, calibrated: bool) -> String {
             "By ejection fraction, volumes, shape and motion; there is no wall to assess regions of"
                 .to_owned()
         }
-        // Without a classifier there is nobody that it could be like.
-        Finding::Nothing if !calibrated => format!("No patch counts by default thresholds{little}"),
         Finding::Nothing => format!("The heart is as those of the normal subjects{little}"),
-        Finding::AbnormalPatch | Finding::UnclassifiedPatch => {
+        Finding::AbnormalPatch => {
             "Thickening in part of the wall is far below that of remote myocardium".to_owned()
         }
         Finding::GlobalHypokinesia => {
@@ -227,20 +230,15 @@ fn similar(state: &State, subject: usize) -> Option<SimilarSubject> {
 
 /// The verdict on one subject in the cohort table.
 pub fn cohort_verdict(state: &State, subject: usize) -> Option<CohortVerdict> {
-    let calibrated = state.verdicts()?.0.classifier.is_calibrated();
     Some(match state.verdict_of(subject)? {
         Ok(verdict) => {
-            let number = if calibrated {
-                format!(
-                    "predicted probability of abnormal {:.0} %",
-                    100.0 * verdict.probability
-                )
-            } else {
-                format!("uncalibrated score {:.2}", verdict.probability)
-            };
+            let number = format!(
+                "predicted probability of abnormal {:.0} %",
+                100.0 * verdict.probability
+            );
             CohortVerdict {
                 mark: mark(verdict.finding),
-                share: verdict.finding.is_patch().then_some(verdict.patched),
+                share: (verdict.finding == Finding::AbnormalPatch).then_some(verdict.patched),
                 probability: Some(verdict.probability),
                 words: format!("Verdict: {}, {number}", lower_first(&heading(verdict))),
             }
@@ -262,23 +260,16 @@ fn lower_first(text: &str) -> String {
 }
 
 fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
-    let source = match verdicts.classifier {
+    let source = match &verdicts.classifier {
         ClassifierSource::Cohort { normal, abnormal } => format!(
             "Logistic classifier, trained on the labelled subjects that can be assessed ({normal} normal, {abnormal} \
              abnormal); each of them is classified leave-one-out"
         ),
-        ClassifierSource::Rule { normal, abnormal } => format!(
-            "Logistic classifier, trained on another study ({normal} normal, {abnormal} abnormal subjects)"
-        ),
-        ClassifierSource::Uncalibrated { normal, abnormal } => format!(
-            "Default thresholds on the share of akinetic wall, uncalibrated: {normal} normal and {abnormal} abnormal \
-             subjects can be assessed; training needs {} of each",
-            VerdictParams::default().min_labelled
-        ),
+        ClassifierSource::Rule(rule) => rule.words(),
     };
-    let results = match (verdicts.classifier, &verdicts.quality) {
+    let results = match (&verdicts.classifier, &verdicts.quality) {
         (ClassifierSource::Cohort { normal, abnormal }, Some(quality)) => {
-            results(quality, normal, abnormal)
+            results(quality, *normal, *abnormal)
         }
         _ => Vec::new(),
     };

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::analysis::pose_distances::PoseId;
+use crate::analysis::transport::TransportAccount;
 use crate::document::ViewMode;
 use crate::document::VisiblePose;
 use crate::document::differences::hindrance;
@@ -16,11 +17,11 @@ use crate::panes::commands::TransportCommand;
 use crate::panes::patch::words::patch_note;
 use crate::panes::pose_words::between_words_of;
 use crate::panes::viewport::overlay::{
-    ColourBarView, CubeView, ScaleBarView, SubjectCaption, ViewportOverlayView,
+    ColourBarView, CubeView, PatchNote, ScaleBarView, SubjectCaption, ViewportOverlayView,
 };
 use crate::picture::{
     ColourLegend, PreparedSubject, Quantity, SubjectAxes, SubjectScene, USER_LIMITS, is_between,
-    position_words,
+    position_words, sentence,
 };
 use crate::render::Camera;
 use crate::study::Subject;
@@ -96,6 +97,7 @@ fn beside_its_origin(
 ) -> SubjectCaption {
     let own = ("Show own motion", TransportCommand::StopTransport.into());
     let (title, words, between, leave);
+    let mut note = None;
     let mut title_end = String::new();
     if tile.transported {
         let count = from.sequence.frame_count();
@@ -108,6 +110,7 @@ fn beside_its_origin(
             .collect();
         between = between_words(None, tile.position, why);
         leave = own;
+        note = (state.transported_subject()).map(|subject| transport_note(&subject.motion.account));
     } else {
         let standing;
         (standing, leave) = match (state.answers.transport_state, state.document.transported) {
@@ -134,7 +137,28 @@ fn beside_its_origin(
         badge: between.badge.map(Cow::Borrowed),
         badge_note: between.note,
         leave: Some(leave),
-        patch: None,
+        patch: note,
+    }
+}
+
+/// How a motion was transported; what is no geodesic stands out.
+fn transport_note(account: &TransportAccount) -> PatchNote {
+    let path = sentence(&account.path_words());
+    let kept = format!("lengths kept within {:.1} %", 100.0 * account.norm_change());
+    if account.not_converged() > 0 {
+        let heading = "The geodesic did not converge".to_owned();
+        return PatchNote {
+            short: heading.clone(),
+            heading,
+            lines: vec![path, kept],
+            found: true,
+        };
+    }
+    PatchNote {
+        heading: path,
+        short: "along a geodesic".to_owned(),
+        lines: vec![kept],
+        found: false,
     }
 }
 

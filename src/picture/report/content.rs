@@ -40,7 +40,7 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
                 Some(Ok(verdict)) => [
                     finding,
                     probability_words(verdict.probability),
-                    if verdict.finding.is_patch() {
+                    if verdict.finding == Finding::AbnormalPatch {
                         percent(verdict.patched)
                     } else {
                         none()
@@ -80,7 +80,6 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
     };
     let mut parts: Vec<String> = [
         Finding::AbnormalPatch,
-        Finding::UnclassifiedPatch,
         Finding::GlobalHypokinesia,
         Finding::WithoutPatch,
         Finding::Nothing,
@@ -103,18 +102,8 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
 
 /// Which classifier the verdicts come from, and its accuracy.
 pub(super) fn classifier(verdicts: &Verdicts) -> String {
-    let (normal, abnormal) = match verdicts.classifier {
-        ClassifierSource::Uncalibrated { normal, abnormal } => {
-            return format!(
-                "Verdicts by default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a \
-                 label can be assessed: the number is an uncalibrated score, not a probability."
-            );
-        }
-        ClassifierSource::Rule { normal, abnormal } => {
-            return format!(
-                "Verdicts by a classifier trained on {normal} normal and {abnormal} abnormal subjects of another study."
-            );
-        }
+    let (normal, abnormal) = match &verdicts.classifier {
+        ClassifierSource::Rule(rule) => return format!("{}.", rule.words()),
         ClassifierSource::Cohort { normal, abnormal } => (normal, abnormal),
     };
     let mut words = format!(
@@ -179,6 +168,28 @@ pub(super) fn classes(classes: &Classes) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::verdicts::RuleSource;
+
+    #[test]
+    fn the_classifier_of_the_verdicts_is_named_with_what_it_was_trained_on() {
+        let verdicts = Verdicts {
+            subjects: Vec::new(),
+            classifier: ClassifierSource::Rule(RuleSource {
+                name: "ward".to_owned(),
+                study: "Ward 7".to_owned(),
+                normal: 8,
+                abnormal: 16,
+                auc: Some(0.98),
+                labelled: None,
+            }),
+            features: Vec::new(),
+            quality: None,
+        };
+        assert_eq!(
+            classifier(&verdicts),
+            "Classifier “ward”, trained on 24 subjects of Ward 7 (8 normal, 16 abnormal), AUC 0.98 there."
+        );
+    }
 
     #[test]
     fn what_tells_labels_apart_is_said_with_its_permutation_mean() {

@@ -70,8 +70,7 @@ impl Row for VerdictRow {
             word(row.calibrated, YES_NO)
         })
         .plain(
-            "yes if the probability comes from a classifier trained on the labelled subjects; \
-                 no for default thresholds",
+            "yes: the probability comes from a trained classifier, that of the labelled subjects or one from a file",
         ),
         column("alike_normal", "Most similar normal", |row: &Self| {
             listed(&row.similar_normal)

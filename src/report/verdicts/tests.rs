@@ -5,8 +5,8 @@ use crate::analysis::measures::measure_subject;
 use crate::analysis::medial::{MedialParams, medial_beat};
 use crate::analysis::thickening::{ThickeningParams, thickening};
 use crate::analysis::verdicts::{
-    Feature, Features, Finding, Kind, NotAssessed, Reason, TrainingSetDistance, VerdictInput,
-    VerdictParams, examine, verdicts,
+    ClassifierSource, Feature, Features, Finding, Kind, NotAssessed, Reason, TrainingSetDistance,
+    VerdictInput, VerdictParams, examine, verdicts,
 };
 use crate::mesh::phantom;
 use crate::progress::Progress;
@@ -48,7 +48,7 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         ..whole
     };
     let features = examined.features.clone();
-    let classified = verdicts(&alone, &[Ok(examined)], &params, &progress).unwrap();
+    let classified = verdicts(&alone, &[Ok(examined)], &params, None, &progress).unwrap();
     let table = csv(&VerdictRow::of_study(&alone, &classified));
     let mut reader = csv::Reader::from_reader(table.as_bytes());
     let columns = reader.headers().unwrap().clone();
@@ -125,6 +125,7 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
             normal: 9,
             abnormal: 9,
         },
+        features: Vec::new(),
         quality: None,
     };
     let table = csv(&VerdictRow::of_study(&study(), &verdicts));

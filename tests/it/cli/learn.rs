@@ -69,6 +69,21 @@ fn a_rule_makes_the_verdicts_and_says_so() {
     let summary: Value =
         serde_json::from_slice(&fs::read(folder.path().join("summary.json")).unwrap()).unwrap();
     assert_eq!(summary["verdicts"]["rule"], "file");
+    let classifier = &summary["verdicts"]["classifier"];
+    assert_eq!(classifier["name"], "rule");
+    assert_eq!(classifier["study"], "Built-in cohort");
+    // How each motion was transported stands beside.
+    let transports = summary["deformations"]["transports"].as_array().unwrap();
+    assert_eq!(transports.len(), 23);
+    for transport in transports {
+        let shares = transport["energy_shares"].as_array().unwrap();
+        assert!(
+            shares.len() == 1 && shares[0].as_f64().unwrap() <= 1.0,
+            "{transport}"
+        );
+        assert_eq!(transport["converged"], true, "{transport}");
+        assert!(transport["norm_change"].as_f64().unwrap() < 1e-6);
+    }
     let path = folder.path().join("verdicts.csv");
     let place = |name: &str| header(&path).iter().position(|key| key == name).unwrap();
     let (calibrated, outside) = (place("calibrated"), place("outside_training"));
@@ -90,6 +105,7 @@ fn what_is_no_rule_is_refused_with_one_line() {
         (&whole[..whole.len() / 2], "EOF"),
         (&newer, "version 9"),
         ("{\"format\": \"other\"}", "missing field"),
+        (&whole.replacen("Ejection fraction", "Colour", 1), "Colour"),
     ] {
         fs::write(&path, damaged).unwrap();
         let output = analyzed(&path, &out);
@@ -107,4 +123,27 @@ fn what_is_no_rule_is_refused_with_one_line() {
     }
     let output = analyzed(&folder.path().join("nowhere.json"), &out);
     assert_eq!(code(&output), 1);
+}
+
+#[test]
+fn a_rule_reads_the_features_that_are_named_and_says_what_its_maker_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("two.json");
+    let learn = |features: &str| {
+        let out = ["--out", text(&path), "--note", "of a test"];
+        cardiomorph(&[&["learn", text(demo()), "--features", features], &out[..]].concat())
+    };
+    let output = learn("Ejection fraction,akinetic region");
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let json: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let names: Vec<&str> = (json["features"].as_array().unwrap().iter())
+        .map(|feature| feature["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["Akinetic region", "Ejection fraction"]);
+    assert_eq!(json["origin"]["note"], "of a test");
+    let output = learn("Colour");
+    assert_eq!(code(&output), 2);
+    assert!(said(&output).contains("the model features are Akinetic region, "));
+    let output = analyzed(&path, &folder.path().join("out"));
+    assert_eq!(code(&output), 0, "{}", said(&output));
 }

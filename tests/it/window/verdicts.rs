@@ -1,5 +1,8 @@
 //! What is said of hearts in the window: the column, the pane, and what patches may be called.
 
+#[cfg(test)]
+mod rules;
+
 use super::*;
 use cardiomorph::engine::{ClassesQuery, DeformationMapQuery};
 use cardiomorph::panes::{
@@ -340,13 +343,12 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
             .count()
             >= 1
     );
-    // The other subject is classified by default thresholds.
+    // The other subject is classified by the built-in classifier.
     give(
         &mut harness,
         Command::Select(SelectCommand::SelectSubject(1)),
     );
     harness.run_steps(2);
-    harness.get_by_label_contains("Uncalibrated score: ");
-    harness
-        .get_by_label_contains("Default thresholds on the share of akinetic wall, uncalibrated: ");
+    harness.get_by_label_contains("Predicted probability of abnormal: ");
+    harness.get_by_label_contains("Classifier “built-in”, trained on ");
 }

@@ -76,7 +76,7 @@ fn frames_at_other_phases_change_a_deformation_by_no_more_than_their_corners() {
 fn parts_are_weighted_by_their_medians() {
     let matrix = |upper: [f64; 3]| DistanceMatrix::from_upper(3, upper.to_vec()).unwrap();
     let (deformation, shape) = (matrix([1.0, 2.0, 4.0]), matrix([30.0, 10.0, 0.0]));
-    let parts = PartDistances::new(vec![0, 1, 2], [deformation, shape], Vec::new());
+    let parts = PartDistances::new(vec![0, 1, 2], [deformation, shape], Vec::new(), Vec::new());
     let weighted = parts.weighted(PartWeights {
         deformation: 2.0,
         shape: 0.5,
@@ -90,7 +90,7 @@ fn parts_are_weighted_by_their_medians() {
     assert_eq!([alone.get(0, 1), alone.get(1, 2)], [0.5, 2.0]);
     // Where no two differ in a part, it counts for nothing instead of dividing by it.
     let same = matrix([0.0; 3]);
-    let parts = PartDistances::new(vec![0, 1, 2], [same.clone(), same], Vec::new());
+    let parts = PartDistances::new(vec![0, 1, 2], [same.clone(), same], Vec::new(), Vec::new());
     assert_eq!(parts.weighted(PartWeights::BOTH).get(0, 1), 0.0);
     assert_eq!(
         (parts.shape_share(0, 1), parts.median_shape_share()),

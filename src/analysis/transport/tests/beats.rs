@@ -35,7 +35,9 @@ fn a_beat_on_the_same_heart_comes_back_unchanged() {
         ..heart(1.0, 6)
     };
     for params in [straight(), TransportParams::default().check().unwrap()] {
-        let back = transported_motion(&one, &one, &params, &Progress::default()).unwrap();
+        let back = transported_motion(&one, &one, &params, &Progress::default())
+            .unwrap()
+            .sequence;
         assert!(greatest_gap(&back, &one.sequence) < 1e-9);
         assert_eq!(back.pose(2), one.sequence.pose(2));
     }
@@ -47,7 +49,9 @@ fn a_heart_that_was_turned_and_enlarged_moves_as_it_did_but_larger() {
     let turn = Rotation3::from_euler_angles(0.3, -1.0, 2.0);
     let place = |p: &Point3| turn * (p * 1.25) + Vector3::new(100.0, -20.0, 7.0);
     let other = changed(&one, place);
-    let there = transported_motion(&one, &other, &straight(), &Progress::default()).unwrap();
+    let there = transported_motion(&one, &other, &straight(), &Progress::default())
+        .unwrap()
+        .sequence;
     assert!(greatest_gap(&there, &other.sequence) < 1e-8);
 }
 
@@ -62,7 +66,9 @@ fn a_motion_starts_from_the_subject_it_is_transported_to_at_its_own_end_diastole
         ..heart(2.0, 3)
     };
     let params = TransportParams::default().check().unwrap();
-    let there = transported_motion(&from, &onto, &params, &Progress::default()).unwrap();
+    let there = transported_motion(&from, &onto, &params, &Progress::default())
+        .unwrap()
+        .sequence;
     assert_eq!(there.frame_count(), 5);
     assert_eq!(there.pose(4), onto.sequence.pose(1));
     assert_eq!(there.correspondence(), onto.sequence.correspondence());
@@ -75,7 +81,9 @@ fn it_does_not_matter_where_the_moving_heart_lies_or_how_large_it_is() {
     let turn = Rotation3::from_euler_angles(-0.4, 0.2, 1.0);
     let elsewhere = changed(&from, |p| turn * (p * 0.8) + Vector3::new(3.0, 40.0, -9.0));
     let beat = |from: &Subject| {
-        transported_motion(from, &onto, &straight(), &Progress::default()).unwrap()
+        transported_motion(from, &onto, &straight(), &Progress::default())
+            .unwrap()
+            .sequence
     };
     assert!(greatest_gap(&beat(&from), &beat(&elsewhere)) < 1e-8);
 }
@@ -83,8 +91,9 @@ fn it_does_not_matter_where_the_moving_heart_lies_or_how_large_it_is() {
 #[test]
 fn the_deformation_of_one_frame_is_the_heart_itself() {
     let one = heart(0.0, 1);
-    let there =
-        transported_motion(&one, &heart(1.0, 3), &straight(), &Progress::default()).unwrap();
+    let there = transported_motion(&one, &heart(1.0, 3), &straight(), &Progress::default())
+        .unwrap()
+        .sequence;
     assert_eq!(there.frame_count(), 1);
     assert_eq!(there.pose(0), heart(1.0, 3).sequence.pose(0));
     let faces = one.sequence.joined_faces();
@@ -112,7 +121,9 @@ fn hearts_that_do_not_fit_are_refused_with_both_names() {
     };
     // An end-diastole beyond the last frame is none.
     let onto = |subject: &Subject| {
-        transported_motion(&heart(0.3, 2), subject, &straight(), &Progress::default()).unwrap()
+        transported_motion(&heart(0.3, 2), subject, &straight(), &Progress::default())
+            .unwrap()
+            .sequence
     };
     assert_eq!(greatest_gap(&onto(&late), &onto(&heart(0.0, 2))), 0.0);
     let point = changed(&heart(0.0, 2), |_| Point3::new(1.0, 2.0, 3.0));
@@ -273,7 +284,9 @@ fn one_geodesic_bent_for_all_steps_is_near_a_geodesic_for_each() {
             ..TransportParams::default()
         };
         let params = params.check().unwrap();
-        transported_motion(&from, &onto, &params, &Progress::default()).unwrap()
+        transported_motion(&from, &onto, &params, &Progress::default())
+            .unwrap()
+            .sequence
     };
     let moved = greatest_gap(
         &beat(0, Geodesics::First),

@@ -17,6 +17,7 @@ fn found(study: &Study, hearts: &[Result<Examined, NotAssessed>]) -> Verdicts {
         study,
         hearts,
         &params.check().unwrap(),
+        None,
         &Progress::default(),
     )
     .unwrap()

@@ -12,7 +12,13 @@ fn hearts_of_another_study_are_refused() {
     let (hearts, labels) = cohort();
     let inputs: Vec<_> = hearts.iter().map(input).collect();
     let params = VerdictParams::default().check().unwrap();
-    let found = verdicts(&study(&labels[1..]), &inputs, &params, &Progress::default());
+    let found = verdicts(
+        &study(&labels[1..]),
+        &inputs,
+        &params,
+        None,
+        &Progress::default(),
+    );
     assert_eq!(
         found,
         Err(VerdictError::Count {
@@ -20,7 +26,7 @@ fn hearts_of_another_study_are_refused() {
             subjects: 16
         })
     );
-    let empty = verdicts(&study(&[]), &[], &params, &Progress::default()).unwrap();
+    let empty = verdicts(&study(&[]), &[], &params, None, &Progress::default()).unwrap();
     assert!(empty.subjects.is_empty());
 }
 
@@ -31,7 +37,7 @@ fn a_stopped_run_says_so() {
     let progress = Progress::default();
     progress.stop();
     let params = VerdictParams::default().check().unwrap();
-    let found = verdicts(&study(&labels), &inputs, &params, &progress);
+    let found = verdicts(&study(&labels), &inputs, &params, None, &progress);
     assert_eq!(found, Err(VerdictError::Stopped(Stopped)));
 }
 
@@ -86,10 +92,10 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
             .iter_mut()
             .for_each(|normal| *normal = turn * *normal);
     }
-    let verdicts = classified(&[(beat, found), measured(moved)], &[None, None]);
+    let told = [(beat, found), measured(moved)].map(|heart| input(&heart).unwrap().features);
     for feature in Feature::ALL {
-        let [a, b] = [0, 1].map(|subject| assessed(&verdicts, subject).features.get(feature));
-        // Balls of one pose tell nothing of the whole heart, and thickness is a length.
+        let [a, b] = [0, 1].map(|subject: usize| told[subject].get(feature));
+        // Thickness is a length.
         let is_length = feature.unit() == FeatureUnit::Millimetres;
         let (Some(a), Some(b), false) = (a, b, is_length) else {
             continue;

@@ -45,6 +45,7 @@ fn classified(classifier: ClassifierSource) -> State {
             Err(reason),
         ],
         classifier,
+        features: Feature::MODEL_FEATURES.to_vec(),
         quality: None,
     };
     state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
@@ -88,20 +89,25 @@ fn what_is_not_assessed_says_why_in_pane_and_table() {
 }
 
 #[test]
-fn an_uncalibrated_score_says_so_everywhere() {
-    let state = classified(ClassifierSource::Uncalibrated {
-        normal: 2,
-        abnormal: 0,
-    });
+fn the_built_in_classifier_says_what_it_was_trained_on_and_why_it_is_taken() {
+    let state = classified(ClassifierSource::Rule(RuleSource {
+        name: "built-in".to_owned(),
+        study: "Walls".to_owned(),
+        normal: 20,
+        abnormal: 40,
+        auc: Some(0.994),
+        labelled: Some([2, 0]),
+    }));
     let shown = report(&state).unwrap();
-    assert!(!shown.calibrated);
+    assert!(shown.source.starts_with("Built-in classifier"));
     let (verdicts, _) = state.verdicts().unwrap();
     let report = classifier_report(verdicts);
-    assert!(report.source.contains("uncalibrated"), "{}", report.source);
-    assert!(report.source.contains("2 normal and 0 abnormal"));
+    assert_eq!(
+        report.source,
+        "Classifier “built-in”, trained on 60 subjects of Walls (20 normal, 40 abnormal), AUC 0.99 there; too few \
+         labelled subjects here (2 normal, 0 abnormal) to train one"
+    );
     assert!(report.results.is_empty());
-    let words = cohort_verdict(&state, 0).unwrap().words;
-    assert!(words.ends_with("uncalibrated score 0.97"), "{words}");
 }
 
 #[test]
@@ -124,10 +130,7 @@ fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
 
 #[test]
 fn a_classifier_from_a_file_says_so_and_what_it_has_not_seen() {
-    let mut state = classified(ClassifierSource::Rule {
-        normal: 20,
-        abnormal: 60,
-    });
+    let mut state = classified(ClassifierSource::Rule(RuleSource::default()));
     let seen = state.verdicts().unwrap().0;
     let mut verdicts = (**seen).clone();
     if let Ok(verdict) = &mut verdicts.subjects[0] {
@@ -138,12 +141,13 @@ fn a_classifier_from_a_file_says_so_and_what_it_has_not_seen() {
     ));
     state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
     let shown = report(&state).unwrap();
-    assert!(shown.calibrated && shown.source.ends_with("from a file"));
+    assert!(shown.source.ends_with("from a file"));
     let distance = shown.training_distance.unwrap();
     assert!(distance.outside && distance.words.ends_with("range: Ejection fraction"));
     state.document.subject = 2;
-    let sentence = report(&state).unwrap().sentence;
-    assert!(sentence.starts_with("Not comparable"), "{sentence}");
+    let shown = report(&state).unwrap();
+    assert_eq!(shown.heading, "Not comparable");
+    assert_eq!(shown.sentence, "Meshes of 9 vertices");
 }
 
 #[test]

@@ -48,13 +48,10 @@ impl VerdictLines {
             },
             Some((_, Err(reason))) => Self::not_assessed(Some(reason)),
             Some((all, Ok(verdict))) => {
-                let abnormal = !matches!(
-                    verdict.finding,
-                    Finding::Nothing | Finding::UnclassifiedPatch
-                );
+                let abnormal = verdict.finding != Finding::Nothing;
                 let mut heading = sentence(verdict.words());
                 let share: f64 = wall.thickening.patches.iter().map(|p| p.share).sum();
-                if verdict.finding.is_patch() && share > 0.0 {
+                if verdict.finding == Finding::AbnormalPatch && share > 0.0 {
                     heading = format!("{heading} · {} of the LV", percent(share));
                 }
                 Self {
@@ -76,15 +73,11 @@ impl VerdictLines {
 }
 
 fn evidence(verdicts: &Verdicts, probability: f64) -> String {
-    match verdicts.classifier {
-        ClassifierSource::Uncalibrated { normal, abnormal } => format!(
-            "Default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a label can be \
-             assessed: no probability"
-        ),
-        ClassifierSource::Rule { normal, abnormal } => format!(
-            "Predicted probability of abnormal {}, by a classifier trained on {normal} normal and {abnormal} abnormal \
-             subjects of another study",
-            probability_words(probability)
+    match &verdicts.classifier {
+        ClassifierSource::Rule(rule) => format!(
+            "Predicted probability of abnormal {}; {}",
+            probability_words(probability),
+            rule.words()
         ),
         ClassifierSource::Cohort { normal, abnormal } => {
             let mut words = format!(

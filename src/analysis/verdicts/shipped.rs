@@ -1,0 +1,20 @@
+//! The rule that ships with the program, for studies with too few labels to train a classifier on.
+
+use std::sync::LazyLock;
+
+use super::checked_rule::CheckedRule;
+use super::error::RuleError;
+use super::rule::Rule;
+
+/// The text of its file; `assets/classifiers/SOURCE.md` tells how it was made, and why it reads what it reads.
+const TEXT: &str = include_str!("../../../assets/classifiers/built-in.json");
+
+/// The rule that ships with the program, read as any other.
+///
+/// # Errors
+/// If its file is not one of this version: a test excludes that.
+pub fn built_in_rule() -> Result<&'static CheckedRule, RuleError> {
+    static RULE: LazyLock<Result<CheckedRule, RuleError>> =
+        LazyLock::new(|| Rule::read(TEXT)?.check("built-in"));
+    RULE.as_ref().map_err(Clone::clone)
+}
