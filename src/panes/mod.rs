@@ -1,7 +1,7 @@
 //! The panes of the window, a folder each: what a pane asks for, and how it is drawn.
 //!
 //! Begin with [`PANES`], the table of all panes, then read `measures/spec.rs` and `measures/mod.rs` as the shortest
-//! example. A pane looks at [`PaneContext`] and pushes [`Command`]s; it changes nothing itself. `commands/` lists what can be
+//! example, and `thickness/` for one that asks a question of its own. A pane looks at [`PaneContext`] and pushes [`Command`]s; it changes nothing itself. `commands/` lists what can be
 //! asked for, with names, keys and menus. `scatter_map/` is the map that all panes with points share, `viewport/` the
 //! 3D view.
 

@@ -75,7 +75,7 @@ fn samples() -> Vec<Sample> {
         name: name.to_owned(),
         bytes: text.as_bytes().to_vec(),
     }));
-    for ending in ["obj", "ply", "stl", "vtk", "vtp", "gltf", "glb", "csv"] {
+    for ending in cardiomorph::io::mesh_file_endings() {
         assert!(
             samples.iter().any(|s| s.name.ends_with(ending)),
             "no sample of {ending}"

@@ -72,9 +72,9 @@ pub struct SubjectMeasures {
     pub unit: LengthUnit,
     /// One per frame.
     pub frames: Vec<FrameMeasures>,
-    /// Frame of the greatest filling; `None` where no volume is known.
+    /// Frame of end-diastole: that of the study, else that of the greatest cavity; `None` where neither is known.
     pub end_diastole: Option<usize>,
-    /// Frame of the least filling.
+    /// Frame of end-systole: that of the study, else that of the least cavity; `None` where neither is known.
     pub end_systole: Option<usize>,
     /// Who said so.
     pub phase_source: PhaseSource,

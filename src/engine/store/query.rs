@@ -32,7 +32,8 @@ pub trait Query: Clone + PartialEq + Debug + Send + Sync + 'static {
         String::new()
     }
 
-    /// What of the study the answer depends on: on everything, labels included, unless it says less.
+    /// What of the study the answer depends on: on everything, labels included, unless it says less. One that names its
+    /// [`Query::subjects`] depends on these, in the same order, and must say so here.
     fn depends_on(&self, study: &Study) -> Dependencies {
         Dependencies::study(study)
     }
@@ -52,7 +53,8 @@ pub trait Query: Clone + PartialEq + Debug + Send + Sync + 'static {
     fn replaces(&self, other: &Self) -> bool;
 
     /// The indices of the subjects that it is about, in the order in which it depends on them: another state of the study
-    /// may have these subjects in other places. None where it is about the whole cohort.
+    /// may have these subjects in other places. None where it is about the whole cohort. An answer whose subjects are not
+    /// those that it depends on is forgotten when the study is edited.
     fn subjects(&mut self) -> Vec<&mut usize> {
         Vec::new()
     }

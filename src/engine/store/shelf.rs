@@ -210,15 +210,21 @@ impl<Q: Query> AnyShelf for Shelf<Q> {
     }
 
     fn follow(&self, study: &Study) {
-        for entry in &mut self.entries().0 {
+        (self.entries().0).retain_mut(|entry| {
             let subjects = entry.query.subjects();
             if subjects.is_empty() {
-                continue;
+                return true;
             }
-            for (index, place) in subjects.into_iter().zip(entry.depends_on.places(study)) {
+            let places = entry.depends_on.places(study);
+            if places.len() != subjects.len() {
+                // It does not say which subject is which: a number of one could come to stand under another's name.
+                return false;
+            }
+            for (index, place) in subjects.into_iter().zip(places) {
                 *index = place.unwrap_or(*index);
             }
-        }
+            true
+        });
     }
 
     fn held(&self, into: &mut Vec<Held>) {

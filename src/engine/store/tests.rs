@@ -13,6 +13,7 @@ use crate::units::LengthUnit;
 
 mod chains;
 mod frames;
+mod places;
 
 /// What questions of one test share: how often they ran, in which order, and a gate that holds them.
 #[derive(Clone, Debug, Default)]
