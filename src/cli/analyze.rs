@@ -89,6 +89,7 @@ fn analyzed_into(
         measures: Arc::clone(&tables.measures),
         verdicts: Arc::clone(&tables.verdicts),
         poses: Arc::clone(&tables.poses),
+        shares: Arc::clone(&tables.shares),
         deformations: tables.deformations.clone(),
         classes: tables.classes.clone(),
         settings,

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::pose_distances::BeatShares;
 use crate::analysis::verdicts::{Finding, Verdicts};
 use crate::cli::figure::{Shot, Studio};
 use crate::cli::input::interrupted;
@@ -15,7 +16,7 @@ use crate::cli::print::say;
 use crate::cli::work::run_work;
 use crate::engine::{
     ExportFile, PoseMap, ResultFolder, Store, SubjectThickening, TableSettings,
-    WallThickeningQuery, distance_words, file_names, thickening_words,
+    WallThickeningQuery, distance_words, file_names, share_words, thickening_words,
 };
 use crate::picture::figure::Figure;
 use crate::picture::page::{FigureFonts, Page, PageFormat, pdf_file};
@@ -38,6 +39,7 @@ pub(super) struct Pictured {
     pub(super) measures: Arc<Vec<SubjectMeasures>>,
     pub(super) verdicts: Arc<Verdicts>,
     pub(super) poses: Arc<PoseMap>,
+    pub(super) shares: Arc<BeatShares>,
     pub(super) deformations: Option<Arc<DeformationMap>>,
     pub(super) classes: Option<Arc<Classes>>,
     pub(super) settings: TableSettings,
@@ -187,11 +189,10 @@ impl Pictured {
     fn report(&self, patches: &[Page], progress: &Progress) -> Result<(), CliError> {
         progress.begin_phase("writing the report", 0.0, 1.0);
         let fonts = FigureFonts::load().map_err(CliError::unusable)?;
+        let distances = &self.settings.deformations.poses.distances;
         let parameters = [
-            format!(
-                "Distance between poses: {}.",
-                distance_words(&self.settings.deformations.poses.distances)
-            ),
+            format!("Distance between poses: {}.", distance_words(distances)),
+            format!("{}.", share_words(&self.shares, distances.metric.kind)),
             format!(
                 "Walls: medial surface {}.",
                 thickening_words(&self.settings.verdicts.thickening)

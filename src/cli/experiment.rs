@@ -11,12 +11,14 @@ use crate::analysis::experiments::{
     TransportExperimentParams, interpolation_experiment, metric_comparison, noise_deformation,
     partner_study, transport_experiment,
 };
+use crate::analysis::metrics::MetricParams;
 use crate::analysis::transport::CohortTransportParams;
 use crate::cli::experiment_args::{
     ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs, PartnerArgs,
 };
 use crate::cli::experiment_files::{figure_file, summary_file};
 use crate::cli::experiment_medial::noise_medial;
+use crate::cli::experiment_shares::shares;
 use crate::cli::input::opened_study;
 use crate::cli::map_options::reference;
 use crate::cli::outcome::CliError;
@@ -33,6 +35,7 @@ pub(super) fn experiment(command: &ExperimentCommand) -> Result<(), CliError> {
         ExperimentCommand::NoiseMedial(args) => noise_medial(args),
         ExperimentCommand::Metrics(args) => metrics(args),
         ExperimentCommand::Partners(args) => partners(args),
+        ExperimentCommand::Shares(args) => shares(args),
     }
 }
 
@@ -131,7 +134,7 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
     };
     let transport = reference(word, &study)?.map(|reference| CohortTransportParams {
         reference,
-        ..CohortTransportParams::default()
+        ..one_transport()
     });
     let params = MetricComparisonParams {
         redraws: args.redraws,
@@ -180,10 +183,18 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
     print(&lines.join("\n"))
 }
 
+/// The transport of every row of a table: by one metric, so that rows differ in how motions are compared alone.
+fn one_transport() -> CohortTransportParams {
+    CohortTransportParams {
+        kind: Some(MetricParams::default().of_paths().kind),
+        ..CohortTransportParams::default()
+    }
+}
+
 /// How near the other sequence of the same patient is, by every metric and form.
 fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
-    let default = CohortTransportParams::default();
+    let default = one_transport();
     let transport = CohortTransportParams {
         interpolated_poses: args
             .interpolated_poses

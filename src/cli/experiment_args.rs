@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
+use crate::cli::experiment_shares::ShareArgs;
 use crate::cli::words::{GeodesicsWord, Switch};
 
 /// Experiments.
@@ -17,6 +18,8 @@ pub enum ExperimentCommand {
     Metrics(MetricComparisonArgs),
     /// Ranks the other sequence of the same patient by every metric, with and without parallel transport
     Partners(PartnerArgs),
+    /// Shares of angles, curvature and displacement in the distances within beats, by every metric
+    Shares(ShareArgs),
 }
 
 /// Options of `experiment noise-deformation`.

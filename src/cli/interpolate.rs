@@ -38,7 +38,7 @@ pub(super) fn interpolate(args: &InterpolateArgs) -> Result<(), CliError> {
 fn checked(args: &InterpolateArgs) -> Result<CheckedGeodesicParams, CliError> {
     let default = GeodesicParams::default();
     let params = GeodesicParams {
-        metric: args.metric.params(),
+        metric: args.metric.of_paths(),
         interpolated_poses: args.poses,
         tolerance: args.tolerance.unwrap_or(default.tolerance),
         ..default

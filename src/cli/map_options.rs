@@ -4,11 +4,12 @@ use clap::Args;
 
 use crate::analysis::deformations::{Comparison, DeformationMapParams, PartWeights};
 use crate::analysis::embedding::MapMethod;
+use crate::analysis::metrics::MetricKind;
 use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
-use crate::cli::words::ComparisonWord;
+use crate::cli::words::{ComparisonWord, MetricWord};
 use crate::engine::{DeformationMapQuery, PoseMapQuery};
 use crate::study::Study;
 
@@ -19,6 +20,9 @@ pub struct MapOptions {
     /// Deformations are transported in any case, with none onto the mean
     #[arg(long, value_name = "REFERENCE", default_value = "none")]
     pub transfer: String,
+    /// Metric of that transport, with its own weights [default: that of distances; isometric for displacement]
+    #[arg(long, value_enum, value_name = "METRIC")]
+    pub transfer_metric: Option<MetricWord>,
     /// Smoothing length of poses before they are compared, in √area; 0: no smoothing
     #[arg(long, value_name = "R", default_value_t = PoseDistanceParams::default().smoothing, allow_negative_numbers = true)]
     pub smoothing: f64,
@@ -66,6 +70,7 @@ impl MapOptions {
             .reference(study)?
             .map(|reference| CohortTransportParams {
                 reference,
+                kind: self.transfer_metric.map(MetricKind::from),
                 ..CohortTransportParams::default()
             });
         let map = DeformationMapParams {

@@ -10,6 +10,7 @@ mod experiment;
 mod experiment_args;
 mod experiment_files;
 mod experiment_medial;
+mod experiment_shares;
 mod figure;
 mod figure_args;
 mod info;

@@ -85,7 +85,7 @@ fn align_word(align: AlignWord) -> &'static str {
 fn checked(args: &TransferArgs) -> Result<CheckedTransportParams, CliError> {
     let default = TransportParams::default();
     let params = TransportParams {
-        metric: args.metric.params(),
+        metric: args.metric.of_paths(),
         interpolated_poses: args
             .interpolated_poses
             .unwrap_or(default.interpolated_poses),

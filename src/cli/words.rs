@@ -11,7 +11,7 @@ use crate::engine::DistanceTable;
 use crate::picture::{AnatomicalView, Quantity};
 
 /// Words of `--metric`, those of the list of metrics.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MetricWord(MetricKind);
 
 /// One word per metric, in the order of the list.
@@ -32,7 +32,12 @@ impl ValueEnum for MetricWord {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         let words = self.0.words();
-        Some(PossibleValue::new(words.id).help(words.summary))
+        let word = PossibleValue::new(words.id).help(words.summary);
+        Some(match self.0 {
+            // What it was called before.
+            MetricKind::Displacement => word.alias("rigid"),
+            _ => word,
+        })
     }
 }
 

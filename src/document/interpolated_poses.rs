@@ -138,7 +138,7 @@ impl MotionMemo {
 /// Settings of the interpolated poses that the document asks for; `None` where they are switched off.
 pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
     (document.interpolated_poses > 0).then(|| GeodesicParams {
-        metric: document.map.distances.metric,
+        metric: document.map.distances.metric.of_paths(),
         interpolated_poses: document.interpolated_poses,
         ..GeodesicParams::default()
     })

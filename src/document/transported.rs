@@ -75,7 +75,7 @@ pub fn transported_title(from: &Subject, onto: &Subject) -> String {
 /// Settings with which the document has motions transported.
 pub fn transport_params(document: &Document) -> TransportParams {
     TransportParams {
-        metric: document.map.distances.metric,
+        metric: document.map.distances.metric.of_paths(),
         ..TransportParams::default()
     }
 }

@@ -10,11 +10,12 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::medial_map;
+use crate::analysis::pose_distances::BeatShares;
 use crate::analysis::verdicts::{Verdicts, verdicts};
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
 use crate::engine::queries::{
-    ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap, PoseMapQuery,
-    VerdictQuery, deformation_words, distance_words,
+    BeatSharesQuery, ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap,
+    PoseMapQuery, VerdictQuery, deformation_words, distance_words,
 };
 use crate::engine::result_folder::{complete, name_in};
 use crate::engine::store::{Interrupted, Store};
@@ -99,6 +100,8 @@ pub struct AnalysisTables {
     pub verdicts: Arc<Verdicts>,
     /// The pose map by classical scaling.
     pub poses: Arc<PoseMap>,
+    /// What distances within beats are made of.
+    pub shares: Arc<BeatShares>,
     /// The deformation map.
     pub deformations: Option<Arc<DeformationMap>>,
     /// How well the labels are classified on it.
@@ -186,11 +189,14 @@ impl AnalysisTables {
         hand_over(tables_of(&rows, folder))?;
         let places = MedialPoseRow::of_map(study, medial.as_ref().ok());
         hand_over(tables_of(&places, folder))?;
+        let distances = &deformations.poses.distances;
+        let shares = store.answer(study, &BeatSharesQuery(*distances), &part)?;
         let report = AnalysisReport {
             study,
             measures: &measures,
             distances: &maps[0].1.distances,
-            metric: &distance_words(&deformations.poses.distances),
+            metric: &distance_words(distances),
+            shares: (&*shares, distances.metric.kind),
             comparison: &deformation_words(deformations),
             maps: (maps.iter())
                 .map(|(word, map)| (*word, &map.embedding))
@@ -207,6 +213,7 @@ impl AnalysisTables {
             measures,
             verdicts: Arc::new(verdicts),
             poses: Arc::clone(&maps[0].1),
+            shares,
             classes: classes.as_ref().map(|found| Arc::clone(&found.classes)),
             deformations: classes.map(|found| found.map),
             unassessed: walls.unassessed,

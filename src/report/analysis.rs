@@ -3,14 +3,17 @@
 use serde_json::{Value, json};
 
 use super::measures::{SubjectRow, subjects_json};
-use super::summary::{classification_json, deformations_json, map_json, medial_map_json};
+use super::summary::{
+    beat_shares_json, classification_json, deformations_json, map_json, medial_map_json,
+};
 use super::verdict_json::verdicts_json;
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::MedialMap;
-use crate::analysis::pose_distances::PoseDistances;
+use crate::analysis::metrics::MetricKind;
+use crate::analysis::pose_distances::{BeatShares, PoseDistances};
 use crate::analysis::verdicts::{VerdictParams, Verdicts};
 use crate::study::{LabelClass, Study};
 
@@ -25,6 +28,8 @@ pub struct AnalysisReport<'a> {
     pub distances: &'a PoseDistances,
     /// How poses are compared, in a sentence.
     pub metric: &'a str,
+    /// What distances within beats are made of by that metric, whose kind stands beside.
+    pub shares: (&'a BeatShares, MetricKind),
     /// What of two beats is compared and how, in a sentence.
     pub comparison: &'a str,
     /// Pose maps, each with the word for its method.
@@ -72,6 +77,7 @@ impl AnalysisReport<'_> {
             "subjects": subjects_json(&SubjectRow::of_study(study, self.measures)),
             "poses": self.distances.poses.len(),
             "metric": self.metric,
+            "shares": beat_shares_json(self.shares.0, self.shares.1),
             "left_out": left_out.collect::<Vec<Value>>(),
             "maps": maps.collect::<serde_json::Map<String, Value>>(),
         });

@@ -9,7 +9,7 @@ use super::table::{Row, TableWords, records};
 use crate::analysis::deformations::{DeformationMap, PartDistances};
 use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::MedialMap;
-use crate::analysis::metrics::{Corners, Regulariser};
+use crate::analysis::metrics::{Corners, CurvatureMean, Regulariser};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
 use crate::analysis::transport::Reference;
 use crate::study::Study;
@@ -93,7 +93,14 @@ pub fn distances_json(
         },
         "area_weights": metric.area_weights,
         "mu": metric.mu,
-        "curvature_rings": metric.curvature_rings,
+        "curvature_radius": match metric.curvature {
+            CurvatureMean::Radius(share) => Some(share),
+            CurvatureMean::Rings(_) => None,
+        },
+        "curvature_rings": match metric.curvature {
+            CurvatureMean::Radius(_) => None,
+            CurvatureMean::Rings(rings) => Some(rings),
+        },
         "lambda": metric.lambda,
         "regulariser": match metric.regulariser {
             Regulariser::Uniform => "uniform",
@@ -360,7 +367,7 @@ mod tests {
     fn distances_name_the_metric_by_the_words_of_its_options() {
         let params = PoseDistanceParams::default();
         let written = distances_json(&study(), &params, "in one sentence", "distances.csv");
-        assert_eq!(written["metric"], "quasi-conformal");
+        assert_eq!(written["metric"], "displacement");
         assert_eq!(written["form"], "additive");
         assert_eq!(written["in_words"], "in one sentence");
         assert_eq!(written["transfer"], "none");

@@ -41,6 +41,7 @@ pub use medial_experiment_json::noise_medial_json;
 pub use npy::{npy_header, npy_row};
 pub use patch_segments::PatchSegmentRow;
 pub use segments::SegmentRow;
+pub use summary::beat_shares_json;
 pub use table::{Row, TableWords, csv, csv_header, csv_rows, named_csv, pretty_json};
 pub use verdicts::VerdictRow;
 pub use wall::{AssessedWall, AtomRow, PatchRow};

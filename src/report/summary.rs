@@ -6,8 +6,29 @@ use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::{DeformationMap, PartDistances};
 use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::MedialMap;
+use crate::analysis::metrics::{EnergyShares, MetricKind};
+use crate::analysis::pose_distances::BeatShares;
 use crate::analysis::transport::FoundPath;
 use crate::study::Study;
+
+/// What the distances within beats are made of, `null` where no pose moves. Shares are in 0 to 1.
+pub fn beat_shares_json(found: &BeatShares, kind: MetricKind) -> Value {
+    let shares = |shares: Option<EnergyShares>| {
+        shares.map(|shares| {
+            json!({
+                "own": shares.own,
+                "curvature": shares.curvature,
+                "displacement": shares.displacement,
+            })
+        })
+    };
+    json!({
+        "own_term": kind.words().term,
+        "beats": found.beats,
+        "end_diastole_to_end_systole": shares(found.phases),
+        "frame_to_frame": shares(found.steps),
+    })
+}
 
 /// How well a pose map keeps distances.
 pub(super) fn map_json(map: &Embedding) -> Value {

@@ -243,7 +243,7 @@ fn isometric_and_rigid_products_agree_with_numpy() {
             case.number("iso_norm_XY"),
             1e-9,
         );
-        let rigid = of(MetricKind::Rigid, Corners::ScaleFree);
+        let rigid = of(MetricKind::Displacement, Corners::ScaleFree);
         close(
             "rigid_XX",
             rigid.product(&x, &x),
@@ -348,7 +348,7 @@ fn rigid_and_similarity_fields_cost_nothing() {
             );
         };
         check(MetricKind::Isometric, Corners::Raw, &rigid);
-        check(MetricKind::Rigid, Corners::Raw, &rigid);
+        check(MetricKind::Displacement, Corners::Raw, &rigid);
         for field in [&rigid, &similar] {
             check(MetricKind::AnglePreserving, Corners::Raw, field);
             check(MetricKind::AnglePreserving, Corners::ScaleFree, field);

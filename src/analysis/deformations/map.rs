@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::embedding::{
-    Embedding, EmbeddingError, LleParamError, LleParams, classical_mds, lle,
+    Embedding, EmbeddingError, LleParamError, LleParams, MapMethod, classical_mds, embed, lle,
 };
 use crate::analysis::pose_distances::{DistanceMatrix, PoseId};
 use crate::progress::{Progress, Stopped};
@@ -69,6 +69,10 @@ const MAX_AXES: usize = 64;
 ///
 /// Settings that ask for more neighbours than there are other rows get all of them; how many were used stands in the result.
 ///
+/// Where neighbourhoods fall into parts that do not see each other, as kinds of motion do that are far apart, a plane has
+/// no room for what locally linear embedding would show: which part a row lies in, one axis for each part but one. Then
+/// the map is that of the distances by stress majorisation, its axes of length 1 as well.
+///
 /// # Errors
 /// If stopped, there are fewer than [`FEWEST_DEFORMATIONS`] rows, or the embedding fails.
 pub fn map_of_distances(
@@ -80,7 +84,31 @@ pub fn map_of_distances(
     refuse_too_few(count)?;
     let space = classical_mds(distances, MAX_AXES.min(count - 1), progress)?;
     let settings = embedding_params(params, count, default_neighbours).check()?;
-    Ok(lle(&space.coordinates, count, &settings, progress)?)
+    let map = lle(&space.coordinates, count, &settings, progress)?;
+    if map.parts.is_none_or(|parts| parts < 2) {
+        return Ok(map);
+    }
+    let plane = embed(distances, MapMethod::Smacof, DIMENSIONS, progress)?;
+    Ok(Embedding {
+        coordinates: with_unit_axes(&plane),
+        stress: plane.stress,
+        reconstruction_error: None,
+        eigenvalues: None,
+        ..map
+    })
+}
+
+/// Coordinates with every axis of length 1; an axis without length stays zero.
+fn with_unit_axes(map: &Embedding) -> Vec<f64> {
+    let mut lengths = vec![0.0; map.dimensions];
+    for (at, x) in map.coordinates.iter().enumerate() {
+        lengths[at % map.dimensions] += x * x;
+    }
+    let unit = |(at, x): (usize, &f64)| match lengths[at % map.dimensions].sqrt() {
+        length if length > 0.0 => x / length,
+        _ => 0.0,
+    };
+    map.coordinates.iter().enumerate().map(unit).collect()
 }
 
 /// [`map_of_distances`] of both parts with these weights.

@@ -90,21 +90,19 @@ impl Default for DeformationMapParams {
     /// Deformations as they are: no radius is best everywhere. How many are right by the nearest neighbour, by the linear
     /// classifier, by that in the plane and by clusters (`cargo test --release --test it real_deformations -- --nocapture`):
     ///
-    /// | smoothing, √area | ACDC, five labels, of 100 | gated SPECT, same patient, of 20 | built-in, of 23 |
-    /// |---|---|---|---|
-    /// | **0** | 49, 64, 52, 44 | 10, 17, 11, 17 | 19, 19, 15, 15 |
-    /// | 0.01 | 48, 68, 49, 42 | 10, 17, 11, 16 | 19, 19, 15, 15 |
-    /// | 0.02 | 49, 71, 55, 43 | 9, 17, 10, 13 | 19, 19, 15, 15 |
-    /// | 0.03 | 51, 70, 62, 56 | 10, 15, 8, 12 | 19, 18, 16, 16 |
-    /// | 0.05 | 56, 70, 57, 48 | 8, 9, 6, 13 | 19, 18, 18, 17 |
-    /// | 0.07 | 57, 65, 55, 47 | 7, 8, 6, 12 | 19, 17, 18, 16 |
-    /// | 0.1 | 57, 66, 59, 50 | 7, 6, 7, 11 | 18, 16, 16, 16 |
-    /// | 0.15 | 54, 70, 51, 52 | 5, 5, 6, 11 | 18, 16, 17, 14 |
-    /// | chosen without the case (nearest neighbour) | 51 | 10 | 19 |
+    /// | smoothing, √area | ACDC, five labels, of 100 | gated SPECT, same patient, of 20 |
+    /// |---|---|---|
+    /// | **0** | 55, 64, 58, 53 | 8, 5, 7, 14 |
+    /// | 0.01 | 55, 64, 59, 54 | 8, 5, 5, 14 |
+    /// | 0.02 | 54, 63, 57, 51 | 8, 5, 8, 14 |
+    /// | 0.03 | 53, 67, 57, 60 | 8, 6, 7, 12 |
+    /// | 0.05 | 58, 66, 56, 54 | 8, 6, 10, 12 |
+    /// | 0.07 | 55, 62, 53, 49 | 6, 4, 6, 13 |
+    /// | 0.1 | 57, 61, 54, 55 | 6, 3, 7, 12 |
+    /// | 0.15 | 54, 65, 48, 47 | 6, 2, 4, 11 |
+    /// | chosen without the case (nearest neighbour) | 56 | 8 |
     ///
-    /// Of the metrics, unsmoothed, none is far better: ACDC 49, 64, 52, 44 by the default, 47, 64, 53, 42 angle-preserving,
-    /// 50, 68, 59, 46 isometric, 54, 68, 54, 58 rigid (displacement alone); SPECT 10, 17, 11, 17; 8, 15, 7, 11; 8, 6, 8, 14;
-    /// 8, 7, 3, 11.
+    /// What the metric does stands at [`MetricParams::default`](crate::analysis::metrics::MetricParams).
     ///
     /// 64 points: four for each of 16 frames, so that the corners that resampling cuts are small
     /// against the steps between frames.

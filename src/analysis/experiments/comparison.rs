@@ -45,9 +45,8 @@ impl MetricComparisonParams {
         let methods = METRICS.into_iter().flat_map(|kind| {
             kind.words().forms.iter().map(move |&(name, form)| {
                 let metric = MetricParams {
-                    kind,
                     form,
-                    ..MetricParams::default()
+                    ..MetricParams::of(kind)
                 };
                 let poses = PoseDistanceParams {
                     metric,

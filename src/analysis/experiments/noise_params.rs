@@ -50,8 +50,8 @@ impl Default for NoiseDeformationParams {
                 Method::default_metric(),
                 Method::procrustes(),
                 Method::printed(),
-                Method::default_unsmoothed(),
-                Method::procrustes_smoothed(),
+                Method::quasi_conformal(),
+                Method::quasi_conformal_unsmoothed(),
             ],
             map: MapMethod::default(),
             deformations: DeformationMapParams {

@@ -37,7 +37,7 @@ pub struct PartnerParams {
 }
 
 impl PartnerParams {
-    /// All kinds and forms, Procrustes of poses and the default without smoothing; as they are, transported
+    /// All kinds and forms, Procrustes of poses and the quasi-conformal metric without smoothing; as they are, transported
     /// onto the mean along geodesics or linear interpolation as given, and with one motion for all. As they are
     /// also what smoothing, area weights and λ bring, and deformations with and without shape.
     pub fn all_metrics(transport: CohortTransportParams) -> Self {
@@ -66,7 +66,7 @@ impl PartnerParams {
         let (mut methods, parts): (Vec<Method>, Vec<Method>) = all
             .into_iter()
             .partition(|method| method.comparison == Comparison::Poses);
-        methods.push(Method::default_unsmoothed());
+        methods.push(Method::quasi_conformal_unsmoothed());
         Self {
             methods,
             transport_options: vec![
@@ -77,10 +77,6 @@ impl PartnerParams {
                 option("same motion for all, geodesics", Some(transport), true),
             ],
             untransported: [
-                Method {
-                    name: "Procrustes of poses, smoothed",
-                    ..Method::procrustes_smoothed()
-                },
                 smoothed,
                 Method {
                     name: "printed, raw corners, unweighted, not smoothed",

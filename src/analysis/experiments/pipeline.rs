@@ -120,7 +120,7 @@ impl Method {
     }
 
     /// Displacement of vertices from end-diastole after rigid alignment of the end-diastolic poses, sizes normalised: what a
-    /// comparison of motions without any metric or transport of its own would use. In the rigid metric with all vertices of
+    /// comparison of motions without any metric or transport of its own would use. In the metric of displacement with all vertices of
     /// equal weight a transport along the straight line changes no displacement.
     pub fn displacement() -> Self {
         let rigid = Self::procrustes();
@@ -133,6 +133,7 @@ impl Method {
                 },
                 transport: Some(CohortTransportParams {
                     interpolated_poses: 0,
+                    kind: Some(MetricKind::Displacement),
                     ..CohortTransportParams::default()
                 }),
                 ..rigid.distances
@@ -145,17 +146,14 @@ impl Method {
     /// Displacement after rigid alignment of each pair, nothing smoothed: what a comparison without
     /// any metric of its own would use.
     pub fn procrustes() -> Self {
-        let rigid = MetricParams {
-            kind: MetricKind::Rigid,
-            lambda: 0.0,
-            ..MetricParams::default()
-        };
-        Self::of_poses("plain Procrustes", unsmoothed(rigid))
+        let displacement = MetricParams::of(MetricKind::Displacement);
+        Self::of_poses("plain Procrustes", unsmoothed(displacement))
     }
 
     /// Equation 3.5 as printed: raw corners, absolute values, sums over faces, nothing smoothed.
     pub fn printed() -> Self {
         let printed = MetricParams {
+            kind: MetricKind::QuasiConformal,
             form: Form::Printed,
             corners: Corners::Raw,
             area_weights: false,
@@ -165,21 +163,19 @@ impl Method {
         Self::of_poses("printed", unsmoothed(printed))
     }
 
-    /// The default metric without smoothing: what smoothing brings.
-    pub fn default_unsmoothed() -> Self {
-        Self::of_poses("default, not smoothed", unsmoothed(MetricParams::default()))
+    /// Change of angles and curvature with the default smoothing.
+    pub fn quasi_conformal() -> Self {
+        let poses = PoseDistanceParams {
+            metric: MetricParams::of(MetricKind::QuasiConformal),
+            ..PoseDistanceParams::default()
+        };
+        Self::of_poses("quasi-conformal", poses)
     }
 
-    /// Plain Procrustes with the default smoothing: what the metric brings.
-    pub fn procrustes_smoothed() -> Self {
-        Self {
-            name: "Procrustes, smoothed",
-            distances: PoseDistanceParams {
-                smoothing: PoseDistanceParams::default().smoothing,
-                ..Self::procrustes().distances
-            },
-            ..Self::procrustes()
-        }
+    /// The same without smoothing: what smoothing brings.
+    pub fn quasi_conformal_unsmoothed() -> Self {
+        let metric = MetricParams::of(MetricKind::QuasiConformal);
+        Self::of_poses("quasi-conformal, not smoothed", unsmoothed(metric))
     }
 }
 

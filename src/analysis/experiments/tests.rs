@@ -17,14 +17,7 @@ fn classes_differ_more_than_their_members() {
         assert_eq!(cohort.labels().len(), 12);
         let study = cohort.study().unwrap();
         assert_eq!(study.subjects[4].label.as_deref(), Some("twist"));
-        let rigid = crate::analysis::metrics::MetricParams {
-            kind: crate::analysis::metrics::MetricKind::Rigid,
-            ..Default::default()
-        };
-        let params = crate::analysis::pose_distances::PoseDistanceParams {
-            metric: rigid,
-            ..Default::default()
-        };
+        let params = crate::analysis::pose_distances::PoseDistanceParams::default();
         let found = crate::analysis::pose_distances::pose_distances(
             &study,
             &params.check().unwrap(),
@@ -186,6 +179,37 @@ fn one_table_tells_the_labels_of_the_built_in_cohort_beside_ef_and_chance() {
     progress.stop();
     let stopped = metric_comparison(&study, &params, &progress).unwrap_err();
     assert_eq!(stopped, ExperimentError::Stopped(crate::progress::Stopped));
+}
+
+#[test]
+fn a_transported_motion_is_nearer_to_the_truth_than_a_copied_one() {
+    let error = |transport: crate::analysis::transport::TransportParams| {
+        let mut params = TransportExperimentParams {
+            transport,
+            ..TransportExperimentParams::default()
+        };
+        params.cohort.per_class = 1;
+        let study = transport_experiment(&params, &Progress::default()).unwrap();
+        let of = |target: &str| {
+            let cases = study.cases.iter().filter(|case| case.target == target);
+            let errors: Vec<f64> = cases.map(|case| case.relative_error).collect();
+            errors.iter().sum::<f64>() / errors.len() as f64
+        };
+        [of("ellipsoid"), of("deformed torus")]
+    };
+    let transported = error(Default::default());
+    // In the plain metric of displacement, along the straight line, nothing changes on the way.
+    let copied = error(crate::analysis::transport::TransportParams {
+        metric: crate::analysis::metrics::MetricParams {
+            area_weights: false,
+            ..Default::default()
+        },
+        interpolated_poses: 0,
+        ..Default::default()
+    });
+    for (transported, copied) in transported.into_iter().zip(copied) {
+        assert!(transported < copied, "{transported} {copied}");
+    }
 }
 
 #[test]

@@ -9,6 +9,16 @@ pub(super) fn flat(points: &[Point3]) -> Vec<f64> {
     points.iter().flat_map(|p| [p.x, p.y, p.z]).collect()
 }
 
+/// Poses nearer than this, relative to their largest coordinate, differ by round-off of an alignment: a direction from one
+/// to the other, or a path between them, would be of noise.
+const SAME: f64 = 1e-12;
+
+/// Whether two poses are one, but for round-off.
+pub fn same_pose(a: &[Point3], b: &[Point3]) -> bool {
+    let reach = a.iter().fold(0.0_f64, |m, p| m.max(p.coords.amax()));
+    a.len() == b.len() && (a.iter().zip(b)).all(|(a, b)| (b - a).amax() <= SAME * reach)
+}
+
 /// Counts, coordinates that can be squared twice, and some area.
 pub(super) fn check_ends(
     faces: &Faces,

@@ -14,6 +14,7 @@ mod result;
 mod solver;
 mod stiffness;
 
+pub use ends::same_pose;
 pub use interpolate::geodesic;
 pub use params::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
 pub use result::{GeodesicError, GeodesicPath};

@@ -5,7 +5,7 @@ use crate::mesh::{Decimation, Faces, Point3, crossing_faces};
 use crate::progress::Progress;
 
 use super::coarse::prolonged;
-use super::ends::{check_ends, flat};
+use super::ends::{check_ends, flat, same_pose};
 use super::minimise::{Content, Inner, cheapest, improve, resampled, time_levels};
 use super::stiffness::Stiffness;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath};
@@ -125,7 +125,7 @@ impl GeodesicSolver {
             });
         }
         // Nothing to move, or a path that costs nothing already.
-        let mut inner = if count == 0 || energy_linear == 0.0 {
+        let mut inner = if count == 0 || energy_linear == 0.0 || same_pose(start, end) {
             Inner {
                 coordinates: straight.clone(),
                 iterations: 0,

@@ -18,8 +18,8 @@ pub(super) struct Connectivity {
     pub flat_rad: Vec<f64>,
     /// Whether a vertex has a surrounding of its own: a face, and no boundary.
     pub inside: Vec<bool>,
-    /// 1 over the largest number of vertices in a neighbourhood, the vertex included.
-    shrink: f64,
+    /// (1 + number of neighbours)^−½ of each vertex.
+    spread: Vec<f64>,
     /// Where the neighbours of each vertex begin in `neighbours`, and where the last ones end.
     first_neighbour: Vec<u32>,
     neighbours: Vec<u32>,
@@ -44,8 +44,9 @@ impl Connectivity {
         }
         let flat_rad = flat_angles_rad(faces);
         let (first_neighbour, neighbours) = neighbours(faces.vertex_count(), &edges);
-        // The largest valence bounds the growth of a gathered sum, so that many rings do not overflow.
-        let most = first_neighbour.windows(2).map(|w| w[1] - w[0]).max();
+        let spread = (first_neighbour.windows(2))
+            .map(|w| f64::from(1 + w[1] - w[0]).sqrt().recip())
+            .collect();
         Self {
             vertex_count: faces.vertex_count(),
             triangles: faces.triangles().to_vec(),
@@ -57,8 +58,7 @@ impl Connectivity {
                 .collect(),
             flat_rad,
             edges,
-            // One factor for all vertices: it cancels in the quotient of turn and area.
-            shrink: 1.0 / f64::from(1 + most.unwrap_or(0)),
+            spread,
             first_neighbour,
             neighbours,
         }
@@ -78,11 +78,13 @@ impl Connectivity {
         })
     }
 
-    /// Adds to each value those of its neighbours, `rings` times: sums over a neighbourhood that
-    /// weigh nearer vertices more. Linear, symmetric, and the same for every pose.
+    /// Sums over a neighbourhood that weigh nearer vertices more: `rings` times D^−½ (1 + A) D^−½ with the neighbours A and
+    /// D = 1 + their number. Linear, symmetric, and the same for every pose; no eigenvalue exceeds 1, so that none
+    /// overflows. Without D a vertex of many neighbours, such as the apex of a mesh of meridians, would after many rings
+    /// be all that any vertex sees.
     ///
-    /// Each vertex has `width` entries of N values. Sums shrink by a constant a ring, so that none overflows;
-    /// only their ratios mean anything. `spare` is memory of the same length.
+    /// Each vertex has `width` entries of N values; only ratios of the sums mean anything. `spare` is memory of the same
+    /// length.
     #[inline(always)]
     pub fn gather<T: Arithmetic, const N: usize>(
         &self,
@@ -91,10 +93,22 @@ impl Connectivity {
         width: usize,
         rings: u32,
     ) {
-        let shrink = T::splat(self.shrink);
+        if rings == 0 {
+            return;
+        }
+        let scaled = |values: &mut [[T; N]], factor: &dyn Fn(f64) -> f64| {
+            for (of_vertex, spread) in values.chunks_exact_mut(width.max(1)).zip(&self.spread) {
+                let factor = T::splat(factor(*spread));
+                for value in of_vertex.iter_mut().flatten() {
+                    *value = *value * factor;
+                }
+            }
+        };
+        scaled(values, &|spread| spread);
         for _ in 0..rings {
             for (v, bounds) in self.first_neighbour.windows(2).enumerate() {
                 let neighbours = &self.neighbours[bounds[0] as usize..bounds[1] as usize];
+                let shrink = T::splat(self.spread[v] * self.spread[v]);
                 for entry in 0..width {
                     let mut sum = values[v * width + entry];
                     for &beside in neighbours {
@@ -112,6 +126,8 @@ impl Connectivity {
             // The old values are the next round's memory: gathering allocates nothing.
             std::mem::swap(values, spare);
         }
+        // The last ring has taken one factor too many.
+        scaled(values, &|spread| 1.0 / spread);
     }
 }
 

@@ -131,7 +131,7 @@ impl Metric {
     /// Rate of curvature along a field, per vertex.
     pub(super) fn curvature_rates(&self, at: &PreparedPose, field: &[Vector3]) -> Vec<f64> {
         if self.params.area_weights {
-            density_rates(&self.mesh, &at.points(), field, self.params.curvature_rings)
+            density_rates(&self.mesh, &at.points(), field, self.rings())
         } else {
             deficit_rates(&self.mesh, &at.points(), field)
         }
@@ -145,7 +145,7 @@ impl Metric {
             .collect();
         let after = if self.params.area_weights {
             let areas = Areas::new(&self.mesh, &moved);
-            curvature_density(&self.mesh, &moved, &areas, self.params.curvature_rings)
+            curvature_density(&self.mesh, &moved, &areas, self.rings())
         } else {
             angle_deficits_rad(&moved, &self.mesh.triangles, &self.mesh.flat_rad)
         };

@@ -16,13 +16,13 @@ macro_rules! metric_kinds {
 
 // A new metric has a line here and a file in `kinds`, which the compiler then asks for.
 metric_kinds! {
-    /// Change of angles and of Gaussian curvature (eq. 3.5).
+    /// Displacement that no rigid motion explains (2.3.7).
     #[default]
+    Displacement,
+    /// Change of angles and of Gaussian curvature (eq. 3.5).
     QuasiConformal,
     /// Change of angles (eq. 3.3, 3.4).
     AnglePreserving,
     /// Change of edge lengths (2.3.6).
     Isometric,
-    /// Displacement that no rigid motion explains (2.3.7).
-    Rigid,
 }

@@ -68,6 +68,11 @@ impl Metric {
         }
     }
 
+    /// Rings of neighbours over which curvature is averaged on this mesh.
+    pub(super) fn rings(&self) -> u32 {
+        self.params.curvature.rings(self.mesh.vertex_count)
+    }
+
     /// The settings it was made with.
     pub fn params(&self) -> &CheckedMetricParams {
         &self.params

@@ -46,7 +46,8 @@ pub use kind::{METRICS, MetricKind};
 pub use kinds::MetricWords;
 pub use metric::{Metric, MetricError, PairNorms, PairScratch};
 pub use params::{
-    CheckedMetricParams, Corners, CurvatureRole, Form, MetricParams, ParamError, Regulariser,
+    CheckedMetricParams, Corners, CurvatureMean, CurvatureRole, Form, MetricParams, ParamError,
+    Regulariser,
 };
 pub use path_energy::PathEnergy;
 pub use pose::PreparedPose;

@@ -5,6 +5,7 @@ use crate::mesh::{Point3, Vector3, angle_deficits_rad};
 use super::connectivity::Connectivity;
 use super::curvature::{Areas, curvature_density};
 use super::params::{CheckedMetricParams, Corners, Regulariser};
+use super::rigid::Moments;
 
 /// A pose with everything that does not depend on what it is compared with.
 ///
@@ -27,6 +28,8 @@ pub struct PreparedPose {
     pub(super) curvature: Vec<f64>,
     /// Factor of the regulariser, λ and the unit of length included.
     pub(super) regulariser_factor: f64,
+    /// Of the vertices, for metrics of displacement.
+    pub(super) moments: Option<Moments>,
 }
 
 impl PreparedPose {
@@ -51,10 +54,21 @@ impl PreparedPose {
         let curvature = if !with_curvature {
             Vec::new()
         } else if params.area_weights {
-            curvature_density(mesh, points, &areas, params.curvature_rings)
+            curvature_density(
+                mesh,
+                points,
+                &areas,
+                params.curvature.rings(mesh.vertex_count),
+            )
         } else {
             angle_deficits_rad(points, &mesh.triangles, &mesh.flat_rad)
         };
+        let vertex_share: Vec<f64> = areas.of_vertices.iter().map(|&area| share(area)).collect();
+        let moments = params.kind.penalises_displacement().then(|| {
+            let weight = |&share: &f64| if params.area_weights { share } else { 1.0 };
+            let weights = vertex_share.iter().map(weight);
+            Moments::of(points.iter().map(|point| point.coords).zip(weights))
+        });
         Self {
             axes: [0, 1, 2].map(|axis| points.iter().map(|p| p[axis]).collect()),
             centroid: points.iter().map(|p| p.coords).sum::<Vector3>() / points.len().max(1) as f64,
@@ -79,9 +93,10 @@ impl PreparedPose {
                     }
                 })
                 .collect(),
-            vertex_share: areas.of_vertices.iter().map(|&area| share(area)).collect(),
+            vertex_share,
             curvature,
             regulariser_factor: regulariser_factor(params, areas.total),
+            moments,
         }
     }
 

@@ -27,45 +27,77 @@ impl RigidField {
 ///
 /// Source: V. Taimouri, section 2.3.7, solved by the inertia tensor.
 pub fn rigid_part(points: &[Point3], weights: &[f64], field: &[Vector3]) -> RigidField {
-    let total: f64 = weights.iter().sum();
-    // Without weight there is nothing that a motion could explain.
-    if total.is_nan() || total <= 0.0 {
-        return RigidField {
-            k1: Vector3::zeros(),
-            k2: Vector3::zeros(),
-        };
-    }
-    let mean = |of: &dyn Fn(usize) -> Vector3| -> Vector3 {
-        (weights.iter().enumerate())
-            .map(|(v, w)| of(v) * *w)
-            .sum::<Vector3>()
-            / total
-    };
-    // About the centroid the equations for translation and rotation separate.
-    let centre = mean(&|v| points[v].coords);
-    let drift = mean(&|v| field[v]);
-    let mut inertia = Matrix3::zeros();
-    let mut torque = Vector3::zeros();
+    let weighted = points.iter().map(|p| p.coords).zip(weights.iter().copied());
+    let moments = Moments::of(weighted);
+    let (mut momentum, mut torque) = (Vector3::zeros(), Vector3::zeros());
     for ((point, &weight), x) in points.iter().zip(weights).zip(field) {
-        let arm = point.coords - centre;
-        inertia += (Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()) * weight;
-        torque += arm.cross(&(x - drift)) * weight;
+        momentum += x * weight;
+        torque += (point.coords - moments.centre).cross(x) * weight;
     }
-    let eigen = SymmetricEigen::new(inertia);
-    // Round-off of the sum is some 1e-15 of the largest moment.
-    let least = 1e-13 * eigen.eigenvalues.amax();
-    let k2 = (0..3)
-        // Points on a line have no moment about it: that rotation moves none of them.
-        .filter(|&k| eigen.eigenvalues[k] > least)
-        .map(|k| {
-            let axis: Vector3 = eigen.eigenvectors.column(k).into();
-            axis * (axis.dot(&torque) / eigen.eigenvalues[k])
-        })
-        .sum::<Vector3>();
-    RigidField {
-        // Back from the centroid to the origin, about which a field is written.
-        k1: drift - k2.cross(&centre),
-        k2,
+    moments.motion(momentum, torque)
+}
+
+/// What [`rigid_part`] needs of points and weights alone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moments {
+    total: f64,
+    pub centre: Vector3,
+    /// J⁻¹, without axes about which nothing has a moment.
+    inverse: Matrix3<f64>,
+}
+
+impl Moments {
+    pub fn of(weighted: impl Iterator<Item = (Vector3, f64)> + Clone) -> Self {
+        let (mut total, mut sum) = (0.0, Vector3::zeros());
+        for (point, weight) in weighted.clone() {
+            total += weight;
+            sum += point * weight;
+        }
+        // Without weight there is nothing that a motion could explain.
+        if total.is_nan() || total <= 0.0 {
+            return Self {
+                total: 0.0,
+                centre: Vector3::zeros(),
+                inverse: Matrix3::zeros(),
+            };
+        }
+        // About the centroid the equations for translation and rotation separate.
+        let centre = sum / total;
+        let mut inertia = Matrix3::zeros();
+        for (point, weight) in weighted {
+            let arm = point - centre;
+            inertia += (Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()) * weight;
+        }
+        let eigen = SymmetricEigen::new(inertia);
+        // Round-off of the sum is some 1e-15 of the largest moment.
+        let least = 1e-13 * eigen.eigenvalues.amax();
+        let inverse = (0..3)
+            // Points on a line have no moment about it: that rotation moves none of them.
+            .filter(|&k| eigen.eigenvalues[k] > least)
+            .map(|k| {
+                let axis: Vector3 = eigen.eigenvectors.column(k).into();
+                axis * axis.transpose() / eigen.eigenvalues[k]
+            })
+            .sum();
+        Self {
+            total,
+            centre,
+            inverse,
+        }
+    }
+
+    /// The rigid field of Σ w X and Σ w (p − p̄) × X.
+    pub fn motion(&self, momentum: Vector3, torque: Vector3) -> RigidField {
+        let drift = match self.total > 0.0 {
+            true => momentum / self.total,
+            false => Vector3::zeros(),
+        };
+        let k2 = self.inverse * torque;
+        RigidField {
+            // Back from the centroid to the origin, about which a field is written.
+            k1: drift - k2.cross(&self.centre),
+            k2,
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! How far is every pose of every subject from every other?
 
 mod bands;
+mod beat_shares;
 mod error;
 mod known;
 mod matrix;
@@ -11,6 +12,7 @@ mod smooth;
 mod source;
 
 pub use crate::analysis::alignment::LeftOut;
+pub use beat_shares::{BeatShares, beat_shares};
 pub use error::PoseDistanceError;
 pub use known::KnownDistances;
 pub use matrix::{

@@ -17,23 +17,21 @@ pub struct PoseDistanceParams {
 }
 
 impl Default for PoseDistanceParams {
-    /// The default metric on poses smoothed by ρ = 0.1, without transport.
+    /// The default metric on poses smoothed by ρ = 0.1, without transport. Strain of noise grows as the mesh gets finer,
+    /// and drowns that of motion; displacement stands noise better, and best after smoothing:
     ///
-    /// Strain of noise grows as the mesh gets finer, and drowns that of motion; displacement alone
-    /// stands noise better, but not as well as either does after smoothing:
-    ///
-    /// | ρ | partner: default, plain displacement | clean | 1 % | 5 % | 20 % |
+    /// | ρ | partner: displacement, strain | clean | 1 % | 5 % | 20 % |
     /// |---|---|---|---|---|---|
-    /// | 0 | 17, 19 | 100 (98) | 95 (98) | 84 (92) | 50 (87) |
-    /// | 0.08 | | 100 | 100 | 98 | 95 |
-    /// | **0.1** | 19, 18 | 100 (100) | 100 (99) | 98 (98) | 95 (94) |
-    /// | 0.12 | | 99 | 99 | 96 | 94 |
-    /// | 0.2 | 16, 13 | | | | |
+    /// | 0 | 19, 17 | 98, 100 | 98, 95 | 92, 84 | 87, 50 |
+    /// | 0.08 | | –, 100 | –, 100 | –, 98 | –, 95 |
+    /// | **0.1** | 18, 19 | 100, 100 | 99, 100 | 98, 98 | 94, 95 |
+    /// | 0.12 | | –, 99 | –, 99 | –, 96 | –, 94 |
+    /// | 0.2 | 13, 16 | | | | |
     ///
-    /// *Partner:* gated SPECT, see [`MetricParams::default`]. *Percent:* mean τ of four classes of
-    /// synthetic deformations of six kinds of objects with so much Gaussian noise, three draws
-    /// ([`noise_deformation`](crate::analysis::experiments::noise_deformation)), in brackets for plain
-    /// displacement. More than 0.12 eats the shape itself: the tube of the torus has radius 0.1 √A.
+    /// *Strain:* quasi-conformal with μ = 10⁻³ and λ = 3. *Partner:* gated SPECT, nearest of 20. *Percent:* mean τ of four
+    /// classes of synthetic deformations of six kinds of objects with so much Gaussian noise, three draws
+    /// ([`noise_deformation`](crate::analysis::experiments::noise_deformation)). More than 0.12 eats the shape itself: the
+    /// tube of the torus has radius 0.1 √A.
     fn default() -> Self {
         Self {
             metric: MetricParams::default(),

@@ -1,13 +1,10 @@
 //! Paths in the space of poses, with the tangent spaces of a metric.
 
+use crate::analysis::geodesics::same_pose;
 use crate::analysis::metrics::{Metric, PreparedPose};
 use crate::mesh::{Point3, Vector3};
 
 use super::{Nearness, Products, SampledPath, TransportError, TransportedStep, parallel_transport};
-
-/// Poses nearer than this, relative to their largest coordinate, differ by round-off of an alignment:
-/// the direction from one to the other would be noise.
-const SAME: f64 = 1e-12;
 
 /// A sampled path between poses: velocity is the forward difference, at the last sample the backward
 /// one.
@@ -30,7 +27,7 @@ impl<'a> PosePath<'a> {
         let mut kept: Vec<&[Point3]> = Vec::with_capacity(path.len());
         for pose in path {
             // A step of no length has no direction, and would divide by its norm.
-            if kept.last().is_none_or(|last| !same(last, pose)) {
+            if kept.last().is_none_or(|last| !same_pose(last, pose)) {
                 kept.push(pose);
             }
         }
@@ -111,11 +108,6 @@ impl SampledPath for PosePath<'_> {
             })
             .collect()
     }
-}
-
-fn same(a: &[Point3], b: &[Point3]) -> bool {
-    let reach = a.iter().fold(0.0_f64, |m, p| m.max(p.coords.amax()));
-    a.len() == b.len() && (a.iter().zip(b)).all(|(a, b)| (b - a).amax() <= SAME * reach)
 }
 
 /// Transports a field of displacements from the first pose of a path to the last by

@@ -48,10 +48,7 @@ fn bent_path(start: &[Point3], seed: f64, steps: usize) -> Vec<Vec<Point3>> {
 }
 
 fn metric(faces: &Faces, kind: MetricKind) -> Metric {
-    let params = MetricParams {
-        kind,
-        ..MetricParams::default()
-    };
+    let params = MetricParams::of(kind);
     Metric::new(faces, params.check().unwrap())
 }
 

@@ -15,7 +15,10 @@ pub fn apply(state: &mut State, command: MapCommand, moment: &Moment) {
     }
     change(state, moment, None, |d| match command {
         MapCommand::SetPoseMap(params) => d.map = params,
-        MapCommand::SetMetric(kind) => d.map.distances.metric.kind = kind,
+        MapCommand::SetMetric(kind) => {
+            let metric = &mut d.map.distances.metric;
+            *metric = metric.with_kind(kind);
+        }
         MapCommand::SetMapMethod(method) => d.map.method = method,
         MapCommand::SetDeformationMap(params) => d.deformation_map = params,
         MapCommand::SetComparison(comparison) => d.deformation_map.comparison = comparison,

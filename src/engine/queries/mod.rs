@@ -1,5 +1,6 @@
 //! One file per analysis: its settings, which are its question, its answer, and what it asks of others.
 
+mod beat_shares;
 mod classes;
 mod contribution;
 mod deformation_map;
@@ -19,6 +20,7 @@ mod thickening;
 mod thickness;
 mod verdicts;
 
+pub use beat_shares::*;
 pub use classes::*;
 pub use contribution::*;
 pub use deformation_map::*;

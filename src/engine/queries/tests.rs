@@ -110,16 +110,14 @@ fn settings_out_of_range_are_an_answer_in_words() {
 fn settings_read_as_a_person_would_say_them() {
     assert_eq!(
         PoseMapQuery::default().parameters(),
-        "quasi-conformal, additive form, μ = 0.001, scale-invariant corner terms, λ = 3, \
-         smoothed over 0.1 √area, SMACOF"
+        "displacement, smoothed over 0.1 √area, SMACOF"
     );
-    let mut metric = MetricParams {
-        kind: MetricKind::Rigid,
-        ..MetricParams::default()
-    };
-    assert_eq!(metric_words(&metric), "rigid");
-    metric.kind = MetricKind::AnglePreserving;
-    assert!(!metric_words(&metric).contains('μ'));
+    assert_eq!(
+        metric_words(&MetricParams::of(MetricKind::QuasiConformal)),
+        "quasi-conformal, additive form, μ = 0.125, scale-invariant corner terms, λ = 0.25"
+    );
+    let angles = MetricParams::of(MetricKind::AnglePreserving);
+    assert!(!metric_words(&angles).contains('μ'));
 }
 
 /// The first five hearts and the last five: normal ones and patients.

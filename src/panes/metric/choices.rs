@@ -6,10 +6,12 @@ use crate::analysis::metrics::{Corners, METRICS, MetricParams};
 use crate::panes::metric::words::FORMS;
 use crate::ui::controls::choices_ui;
 
-/// All kinds in a menu.
+/// All kinds in a menu; a chosen one comes with its weights.
 pub fn kinds_ui(ui: &mut Ui, metric: &mut MetricParams) {
     let kinds = METRICS.map(|kind| (kind, kind.words().name));
-    metric.kind = choices_ui(ui, kinds, metric.kind).unwrap_or(metric.kind);
+    if let Some(kind) = choices_ui(ui, kinds, metric.kind) {
+        *metric = metric.with_kind(kind);
+    }
 }
 
 /// All forms in a menu.

@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::analysis::metrics::Regulariser;
+use crate::analysis::metrics::{CurvatureMean, Regulariser};
 use crate::engine::PoseMapQuery;
 use crate::panes::metric::choices::{forms_ui, kinds_ui, scale_free_ui};
 use crate::panes::metric::words::{
@@ -10,7 +10,7 @@ use crate::panes::metric::words::{
 };
 use crate::panes::metric::{choice_row_ui, sentence_ui};
 use crate::ui::controls::choices_ui;
-use crate::ui::number_field::{Setting, whole};
+use crate::ui::number_field::Setting;
 
 /// Draws kind, form and what counts; a choice goes into `wanted`.
 pub fn metric_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
@@ -50,14 +50,17 @@ const MU: Setting<PoseMapQuery> = Setting {
     },
 };
 
-const RINGS: Setting<PoseMapQuery> = Setting {
+const CURVATURE_RADIUS: Setting<PoseMapQuery> = Setting {
     name: "Averaging",
-    unit: "rings",
-    what: "Rings of neighbours over which curvature is averaged, to reduce noise",
-    range: [0.0, 100.0],
-    get: |poses| Some(f64::from(poses.distances.metric.curvature_rings)),
-    set: |poses, rings| {
-        poses.distances.metric.curvature_rings = whole(rings.unwrap_or_default(), u32::MAX)?;
+    unit: "√area",
+    what: "Radius over which curvature is averaged, to reduce noise",
+    range: [0.0, 0.5],
+    get: |poses| match poses.distances.metric.curvature {
+        CurvatureMean::Radius(share) => Some(share),
+        CurvatureMean::Rings(_) => None,
+    },
+    set: |poses, share| {
+        poses.distances.metric.curvature = CurvatureMean::Radius(share.unwrap_or_default());
         Ok(())
     },
 };
@@ -97,7 +100,7 @@ pub fn weights_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
     };
     for (setting, enabled) in [
         (MU, has_curvature_weight(&metric)),
-        (RINGS, has_rings(&metric)),
+        (CURVATURE_RADIUS, has_rings(&metric)),
         (LAMBDA, true),
     ] {
         setting.ui(ui, wanted, None, enabled, metric_is_right);
@@ -128,7 +131,7 @@ mod tests {
     #[test]
     fn each_number_takes_what_its_range_says_and_no_more() {
         let takes = |params: &PoseMapQuery| params.distances.check().is_ok();
-        for setting in [MU, RINGS, LAMBDA, SMOOTHING] {
+        for setting in [MU, CURVATURE_RADIUS, LAMBDA, SMOOTHING] {
             assert_takes_its_range(&setting, takes);
         }
     }

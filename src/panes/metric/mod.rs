@@ -40,6 +40,9 @@ fn settings_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<Command>)
     metric_settings::metric_ui(ui, &mut poses);
     heading_ui(ui, "Weights");
     metric_settings::weights_ui(ui, &mut poses);
+    if let Some(shares) = &view.shares {
+        sentence_ui(ui, shares);
+    }
     heading_ui(ui, "Pose map");
     pose_settings::pose_map_ui(ui, view, &mut poses);
     heading_ui(ui, "Deformation map");

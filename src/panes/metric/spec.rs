@@ -2,6 +2,7 @@
 
 use egui::Ui;
 
+use crate::engine::{BeatSharesQuery, share_words};
 use crate::panes::cohort::view::cohort_data;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
@@ -28,7 +29,10 @@ pub const PANE: PaneSpec = PaneSpec {
 fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
     let (document, cohort) = (&cx.state().document, cohort_data(cx));
     let (map, cohort) = (cx.state().deformations(), cohort.borrow_mut());
+    let shares = cx.ask_at_rest(&BeatSharesQuery(document.map.distances));
+    let kind = document.map.distances.metric.kind;
     let view = MetricPanelView {
+        shares: shares.ready().map(|found| share_words(found, kind)),
         poses: document.map,
         deformations: document.deformation_map,
         subjects: cohort.rows(),

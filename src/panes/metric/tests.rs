@@ -5,7 +5,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use super::*;
 use crate::analysis::deformations::Comparison;
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::metrics::{Form, MetricKind};
+use crate::analysis::metrics::{Form, MetricKind, MetricParams};
 use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::panes::MapCommand;
 use crate::panes::cohort::rows::CohortRow;
@@ -32,6 +32,7 @@ fn harness(scene: Scene) -> Harness<'static, Scene> {
                 let view = MetricPanelView {
                     poses: scene.poses,
                     deformations: scene.deformations,
+                    shares: Some("Medians over 3 beats".to_owned()),
                     subjects: &subjects,
                     selected: Some(2),
                     neighbours: Some(5),
@@ -80,6 +81,10 @@ fn type_into(harness: &mut Harness<'_, Scene>, field: &str, text: &str) {
 fn kind_and_form_are_chosen_and_say_what_they_ignore() {
     let mut harness = harness(Scene::default());
     harness.run();
+    choose(&mut harness, "Kind: Displacement", "Quasi-conformal");
+    // A kind comes with its weights.
+    let metric = harness.state().poses.distances.metric;
+    assert_eq!(metric, MetricParams::of(MetricKind::QuasiConformal));
     choose(&mut harness, "Form: Additive", "Frozen weights");
     harness.get_by_label_contains("Frozen weights: ignores");
     choose(&mut harness, "Kind: Quasi-conformal", "Isometric");
@@ -89,12 +94,14 @@ fn kind_and_form_are_chosen_and_say_what_they_ignore() {
         (metric.kind, metric.form),
         (MetricKind::Isometric, Form::Frozen)
     );
-    assert_eq!(harness.state().commands.len(), 2);
+    assert_eq!(harness.state().commands.len(), 3);
 }
 
 #[test]
 fn a_weight_is_typed_and_a_wrong_one_is_refused_with_a_reason() {
-    let mut harness = harness(Scene::default());
+    let mut scene = Scene::default();
+    scene.poses.distances.metric = MetricParams::of(MetricKind::QuasiConformal);
+    let mut harness = harness(scene);
     harness.run();
     type_into(&mut harness, "Displacement, λ", "0.5");
     assert_eq!(harness.state().poses.distances.metric.lambda, 0.5);
@@ -102,7 +109,7 @@ fn a_weight_is_typed_and_a_wrong_one_is_refused_with_a_reason() {
     assert_eq!(harness.state().poses.distances.metric.lambda, 0.5);
     harness.get_by_label("lambda must be zero or positive and finite, not -1");
     type_into(&mut harness, "Averaging", "2.5");
-    harness.get_by_label("must be a whole number, not 2.5");
+    harness.get_by_label("curvature is averaged over a radius between 0 and 0.5 of √area, not 2.5");
     assert_eq!(harness.state().commands.len(), 1);
 }
 

@@ -11,6 +11,8 @@ pub struct MetricPanelView<'a> {
     pub poses: PoseMapQuery,
     /// How deformations are mapped.
     pub deformations: DeformationMapParams,
+    /// What distances within beats are made of, once it is known.
+    pub shares: Option<String>,
     /// All subjects of the study: one may be the reference.
     pub subjects: &'a [CohortRow],
     /// The selected subject: first among the references.

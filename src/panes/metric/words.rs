@@ -76,10 +76,7 @@ mod tests {
     #[test]
     fn every_metric_says_what_it_ignores() {
         for kind in METRICS {
-            let mut metric = MetricParams {
-                kind,
-                ..MetricParams::default()
-            };
+            let mut metric = MetricParams::of(kind);
             let sentence = metric_sentence(&metric);
             assert!(sentence.starts_with(kind.words().name) && sentence.contains("ignores"));
             metric.lambda = 0.0;

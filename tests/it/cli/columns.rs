@@ -218,7 +218,10 @@ fn subjects_and_measures_are_one_table_and_distances_name_their_metric() {
     let read = |name: &str| std::fs::read_to_string(report.join(name)).unwrap();
     assert_eq!(read("subjects.csv"), read("measures.csv"));
     let metric: serde_json::Value = serde_json::from_str(&read("distances.json")).unwrap();
-    assert_eq!(metric["metric"], "rigid");
+    // Its name before is still heard.
+    assert_eq!(metric["metric"], "displacement");
+    let shares = &summary["shares"];
+    assert_eq!(shares["frame_to_frame"]["own"], 1.0);
     assert_eq!(metric["in_words"], summary["metric"]);
     let files = summary["files"].as_array().unwrap();
     assert!(

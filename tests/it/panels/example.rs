@@ -152,6 +152,7 @@ impl Example {
         MetricPanelView {
             poses: PoseMapQuery::default(),
             deformations: DeformationMapParams::default(),
+            shares: None,
             subjects: &self.rows,
             selected: Some(9),
             neighbours: Some(5),

@@ -198,19 +198,21 @@ fn points_move_to_their_new_places_and_then_rest() {
 fn the_panel_changes_the_metric_and_the_way_back_is_one_undo() {
     let mut harness = with_deformations();
     shown(&mut harness, Pane::METRIC);
-    harness.get_by_label("Kind: Quasi-conformal").click();
+    harness.get_by_label("Kind: Displacement").click();
     harness.run();
-    harness.get_by_label("Rigid").click();
+    harness.get_by_label("Quasi-conformal").click();
     harness.run_steps(3);
     let kind =
         |harness: &Harness<'_, App>| harness.state().state().document.map.distances.metric.kind;
-    assert_eq!(kind(&harness), MetricKind::Rigid);
-    harness.get_by_label_contains("Rigid: ignores position and rotation");
-    wait(&mut harness, "the rigid map", |app| !app.busy());
-    give(&mut harness, Command::Map(MapCommand::ResetMaps));
     assert_eq!(kind(&harness), MetricKind::QuasiConformal);
+    harness.get_by_label_contains("Quasi-conformal: ignores position, rotation");
+    wait(&mut harness, "the shares", |app| !app.busy());
+    harness.run();
+    harness.get_by_label_contains("end-diastole to end-systole: change of angles");
+    give(&mut harness, Command::Map(MapCommand::ResetMaps));
+    assert_eq!(kind(&harness), MetricKind::Displacement);
     give(&mut harness, Command::Edit(EditCommand::Undo));
-    assert_eq!(kind(&harness), MetricKind::Rigid);
+    assert_eq!(kind(&harness), MetricKind::QuasiConformal);
     // The palette reaches both without the panel.
     give(
         &mut harness,

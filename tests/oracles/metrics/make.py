@@ -94,7 +94,7 @@ METRICS = {
     "quasi-conformal": quasi_conformal,
     "angle-preserving": angle_preserving,
     "isometric": isometric,
-    "rigid": rigid,
+    "displacement": rigid,
 }
 
 CONFIRMED = {

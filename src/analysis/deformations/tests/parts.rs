@@ -174,3 +174,44 @@ fn weights_that_compare_nothing_are_refused() {
     };
     assert!(smoothing.check().unwrap_err().to_string().contains("not 7"));
 }
+
+#[test]
+fn kinds_of_motion_that_are_far_apart_do_not_fall_onto_each_other() {
+    // Four tight groups at the corners of a tetrahedron: a plane of two of the three axes that say which group would lay
+    // two of them onto each other.
+    let corners = [
+        [0.0, 0.0, 0.0],
+        [9.0, 0.0, 0.0],
+        [0.0, 8.0, 0.0],
+        [0.0, 0.0, 7.0],
+    ];
+    let points = corners.iter().flat_map(|corner| {
+        (0..15).flat_map(move |k| {
+            let wave = |axis: usize| 0.3 * (1.7 * k as f64 + 2.3 * axis as f64).sin();
+            [0, 1, 2].map(|axis| corner[axis] + wave(axis))
+        })
+    });
+    let points: Vec<f64> = points.collect();
+    let distances = DistanceMatrix::of_points(&points, 60).unwrap();
+    let params = DeformationMapParams::default().check().unwrap();
+    let map = map_of_distances(&distances, &params, &Progress::default()).unwrap();
+    assert_eq!(map.parts, Some(4));
+    let apart = |i: usize, j: usize| {
+        let (a, b) = (map.point(i), map.point(j));
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    };
+    let (mut within, mut between) = (0.0_f64, f64::MAX);
+    for i in 0..60 {
+        for j in 0..i {
+            match i / 15 == j / 15 {
+                true => within = within.max(apart(i, j)),
+                false => between = between.min(apart(i, j)),
+            }
+        }
+    }
+    assert!(between > 2.0 * within, "{within} {between}");
+    for axis in 0..2 {
+        let length: f64 = (0..60).map(|i| map.point(i)[axis].powi(2)).sum();
+        assert!((length - 1.0).abs() < 1e-9, "{length}");
+    }
+}

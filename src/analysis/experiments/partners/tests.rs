@@ -143,7 +143,7 @@ fn partners_are_ranked_the_same_by_any_number_of_threads_and_stop_at_once() {
     };
     let one = on(1).unwrap();
     // Deformations stand once, whatever the transport.
-    assert_eq!(one.rows.len(), 4 + 6);
+    assert_eq!(one.rows.len(), 4 + 5);
     assert_eq!(one, on(3).unwrap());
     let progress = Progress::default();
     progress.stop();

@@ -116,7 +116,7 @@ fn forms_that_collapse_are_refused_from_two_interpolated_poses_on() {
     for form in [Form::Printed, Form::Bilinear] {
         let metric = MetricParams {
             form,
-            ..MetricParams::default()
+            ..MetricParams::of(MetricKind::QuasiConformal)
         };
         assert_eq!(
             asked(metric, 2).unwrap_err(),

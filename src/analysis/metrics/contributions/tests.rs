@@ -3,7 +3,7 @@
 use nalgebra::Rotation3;
 
 use super::*;
-use crate::analysis::metrics::{Corners, Form, METRICS, MetricParams};
+use crate::analysis::metrics::{Corners, CurvatureMean, Form, METRICS, MetricKind, MetricParams};
 use crate::mesh::{TriMesh, phantom};
 
 fn bent(mesh: &TriMesh) -> Vec<Point3> {
@@ -63,8 +63,8 @@ fn a_dent_is_charged_to_the_faces_around_it() {
     dented[17] = Point3::from(dented[17].coords * 0.9);
     let params = MetricParams {
         mu: 1.0,
-        curvature_rings: 0,
-        ..MetricParams::default()
+        curvature: CurvatureMean::Rings(0),
+        ..MetricParams::of(MetricKind::QuasiConformal)
     };
     let metric = Metric::new(sphere.faces(), params.check().unwrap());
     let (a, b) = (

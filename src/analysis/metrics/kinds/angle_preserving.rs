@@ -30,6 +30,12 @@ impl MetricTerms for AnglePreserving {
         }
     }
 
+    /// Angles are the part of a motion that suffers most from noise: with a quarter of this, clusters of motions on noisy
+    /// meshes agree less with their kinds (τ 0.90 instead of 0.98 at 5 % of displacement, `tests/it/motions_and_shapes.rs`).
+    fn lambda(&self) -> f64 {
+        1.0
+    }
+
     fn ignores_scale(&self) -> bool {
         true
     }

@@ -30,6 +30,11 @@ impl MetricTerms for Isometric {
         }
     }
 
+    /// As strong as paths need, see [`MetricParams::of_paths`]; a fifth of the energy of real beats or less.
+    fn lambda(&self) -> f64 {
+        0.5
+    }
+
     fn ignores_scale(&self) -> bool {
         false
     }

@@ -38,6 +38,9 @@ pub(in crate::analysis::metrics) type Motion<'a> = (&'a Matrix3<f64>, &'a Vector
 pub(in crate::analysis::metrics) trait MetricTerms: Sync {
     fn words(&self) -> MetricWords;
 
+    /// The weight λ of the regulariser with which it is offered.
+    fn lambda(&self) -> f64;
+
     /// Whether uniform scaling costs nothing where corners are scale-free.
     fn ignores_scale(&self) -> bool;
 

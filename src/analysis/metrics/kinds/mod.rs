@@ -2,10 +2,10 @@
 
 mod angle_preserving;
 mod corner_passes;
+mod displacement;
 mod isometric;
 mod metric_terms;
 mod quasi_conformal;
-mod rigid;
 mod table;
 
 pub use metric_terms::MetricWords;

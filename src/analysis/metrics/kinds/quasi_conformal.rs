@@ -24,12 +24,17 @@ impl MetricTerms for QuasiConformal {
             penalises: "changes of angles and of curvature",
             term: "change of angles",
             forms: &[
-                ("default: quasi-conformal, additive", Form::Additive),
+                ("quasi-conformal, additive", Form::Additive),
                 ("quasi-conformal, frozen", Form::Frozen),
                 ("quasi-conformal, bilinear", Form::Bilinear),
                 ("quasi-conformal, printed", Form::Printed),
             ],
         }
+    }
+
+    /// On real beats displacement is then a fifth of the energy at most, see `SHARES.md` of the experiments.
+    fn lambda(&self) -> f64 {
+        0.25
     }
 
     fn ignores_scale(&self) -> bool {

@@ -4,7 +4,7 @@ use crate::analysis::metrics::kind::MetricKind;
 use crate::analysis::metrics::params::{CurvatureRole, MetricParams};
 
 use super::metric_terms::{MetricTerms, MetricWords};
-use super::{angle_preserving, isometric, quasi_conformal, rigid};
+use super::{angle_preserving, displacement, isometric, quasi_conformal};
 
 /// What is specific to a metric.
 pub(in crate::analysis::metrics) fn terms(kind: MetricKind) -> &'static dyn MetricTerms {
@@ -12,7 +12,7 @@ pub(in crate::analysis::metrics) fn terms(kind: MetricKind) -> &'static dyn Metr
         MetricKind::QuasiConformal => &quasi_conformal::QuasiConformal,
         MetricKind::AnglePreserving => &angle_preserving::AnglePreserving,
         MetricKind::Isometric => &isometric::Isometric,
-        MetricKind::Rigid => &rigid::Rigid,
+        MetricKind::Displacement => &displacement::Displacement,
     }
 }
 
@@ -25,6 +25,11 @@ impl MetricKind {
     /// Whether a [form](crate::analysis::metrics::Form) makes a difference.
     pub fn has_forms(self) -> bool {
         self.words().forms.len() > 1
+    }
+
+    /// The weight of the regulariser with which it is offered.
+    pub fn lambda(self) -> f64 {
+        terms(self).lambda()
     }
 
     /// Whether uniform scaling costs nothing, without a regulariser and with scale-free corners.

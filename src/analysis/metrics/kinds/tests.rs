@@ -1,7 +1,8 @@
 //! Laws that every metric of the list obeys, and the invariances that each states.
 
 use crate::analysis::metrics::{
-    Corners, Form, METRICS, Metric, MetricParams, PairScratch, PathEnergy, Regulariser, bent,
+    Corners, CurvatureMean, Form, METRICS, Metric, MetricParams, PairScratch, PathEnergy,
+    Regulariser, bent,
 };
 use crate::mesh::{TriMesh, Vector3, phantom};
 
@@ -20,7 +21,7 @@ fn all_params() -> Vec<MetricParams> {
                         corners,
                         area_weights,
                         mu: 0.5,
-                        curvature_rings: 1,
+                        curvature: CurvatureMean::Rings(1),
                         lambda: 0.0,
                         regulariser: Regulariser::Area,
                     });

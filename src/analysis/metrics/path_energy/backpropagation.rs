@@ -51,7 +51,7 @@ fn curvature(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
         }
     }
     if density {
-        let rings = plan.params.curvature_rings;
+        let rings = plan.params.curvature.rings(mesh.vertex_count);
         // Gathering is symmetric, so that its adjoint is itself.
         mesh.gather(&mut gradients.around, &mut gradients.spare, blocks, rings);
     }

@@ -102,7 +102,7 @@ fn curvature(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
         }
     }
     if plan.params.area_weights {
-        let rings = plan.params.curvature_rings;
+        let rings = plan.params.curvature.rings(mesh.vertex_count);
         mesh.gather(&mut state.around, &mut gradients.spare, blocks, rings);
     }
     for v in 0..mesh.vertex_count {

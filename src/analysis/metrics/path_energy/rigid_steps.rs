@@ -1,4 +1,4 @@
-//! The rigid metric along a path: what no rigid motion explains of each step, and its gradient.
+//! The metric of displacement along a path: what no rigid motion explains of each step, and its gradient.
 
 use crate::mesh::{Point3, Vector3};
 use crate::numeric::LANES;

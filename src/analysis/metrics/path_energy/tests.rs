@@ -6,7 +6,8 @@ use rand_chacha::ChaCha8Rng;
 
 use super::*;
 use crate::analysis::metrics::{
-    Corners, CurvatureRole, Form, METRICS, MetricKind, MetricParams, PairScratch, Regulariser,
+    Corners, CurvatureMean, CurvatureRole, Form, METRICS, MetricKind, MetricParams, PairScratch,
+    Regulariser,
 };
 use crate::mesh::{Faces, TriMesh, phantom};
 
@@ -32,7 +33,7 @@ fn all_settings() -> Vec<MetricParams> {
                         corners,
                         area_weights,
                         mu: 0.7,
-                        curvature_rings,
+                        curvature: CurvatureMean::Rings(curvature_rings),
                         lambda: 0.3,
                         regulariser,
                     };
@@ -241,7 +242,7 @@ fn with_the_size_of_the_ends_swelling_makes_no_step_shorter() {
     };
     let params = MetricParams {
         lambda: 100.0,
-        ..MetricParams::default()
+        ..MetricParams::of(MetricKind::QuasiConformal)
     };
     let cost = |path: &Path, of_ends: bool| {
         let energy = path.energy(params);
@@ -345,7 +346,7 @@ proptest! {
         for params in all_settings() {
             let free = params.corners == Corners::ScaleFree
                 && params.regulariser == Regulariser::Area
-                && params.kind != MetricKind::Rigid;
+                && params.kind != MetricKind::Displacement;
             if free {
                 let before = path.energy(params).energy(&path.inner());
                 let after = scaled.energy(params).energy(&scaled.inner());

@@ -152,7 +152,8 @@ fn there_and_back_differs_by_the_length_of_a_step() {
             &field,
         )
     };
-    let errors = [4, 8, 16, 32].map(error);
+    // With four steps curvature still turns too much in one.
+    let errors = [8, 16, 32, 64].map(error);
     for pair in errors.windows(2) {
         assert!(pair[1] < 0.65 * pair[0], "{errors:?}");
     }
@@ -247,7 +248,7 @@ fn damaged_input_is_refused_by_number() {
     ));
     let printed = MetricParams {
         form: Form::Printed,
-        ..MetricParams::default()
+        ..MetricParams::of(MetricKind::QuasiConformal)
     };
     let printed = Metric::new(mesh.faces(), printed.check().unwrap());
     let refused = transport_along(&printed, &path, &field, true);

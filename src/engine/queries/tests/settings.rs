@@ -12,10 +12,7 @@ use crate::analysis::transport::{Nearness, transported_motion};
 /// Settings that are none of those the program starts with.
 fn other_distances() -> PoseDistanceParams {
     PoseDistanceParams {
-        metric: MetricParams {
-            kind: MetricKind::Rigid,
-            ..MetricParams::default()
-        },
+        metric: MetricParams::of(MetricKind::Isometric),
         smoothing: 0.0,
         ..PoseDistanceParams::default()
     }

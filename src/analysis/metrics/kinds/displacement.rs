@@ -1,4 +1,4 @@
-//! The rigid metric: displacement that no rigid motion explains (2.3.7).
+//! The metric of displacement, the rigid-body metric of the text: what no rigid motion explains (2.3.7).
 
 use nalgebra::Matrix3;
 
@@ -14,19 +14,68 @@ use crate::numeric::Lanes;
 
 use super::metric_terms::{MetricTerms, MetricWords, Motion};
 
-pub(super) struct Rigid;
+pub(super) struct Displacement;
 
-impl MetricTerms for Rigid {
+/// Σ_p w_p |X'_p|² at a pose, X the way to another one that is moved by a rigid motion. In two passes without memory of
+/// their own, since matrices of poses spend their time here.
+fn left_over(
+    metric: &Metric,
+    [here, there]: [&PreparedPose; 2],
+    rotation: &Matrix3<f64>,
+    translation: &Vector3,
+) -> f64 {
+    let Some(moments) = &here.moments else {
+        // Poses of this metric are all prepared with their moments.
+        return f64::NAN;
+    };
+    let count = here.vertex_share.len();
+    let share = &here.vertex_share[..count];
+    let [hx, hy, hz] = here.axes.each_ref().map(|axis| &axis[..count]);
+    let [tx, ty, tz] = there.axes.each_ref().map(|axis| &axis[..count]);
+    let weight = |v: usize| {
+        if metric.params.area_weights {
+            share[v]
+        } else {
+            1.0
+        }
+    };
+    let way = |v: usize| {
+        let point = Vector3::new(hx[v], hy[v], hz[v]);
+        let other = rotation * Vector3::new(tx[v], ty[v], tz[v]) + translation;
+        (point, other - point)
+    };
+    let (mut momentum, mut torque) = (Vector3::zeros(), Vector3::zeros());
+    for v in 0..count {
+        let (point, x) = way(v);
+        let pull = x * weight(v);
+        momentum += pull;
+        torque += (point - moments.centre).cross(&pull);
+    }
+    let rigid = moments.motion(momentum, torque);
+    (0..count)
+        .map(|v| {
+            let (point, x) = way(v);
+            weight(v) * (x - rigid.at(&Point3::from(point))).norm_squared()
+        })
+        .sum()
+}
+
+impl MetricTerms for Displacement {
     fn words(&self) -> MetricWords {
         MetricWords {
-            name: "Rigid",
-            id: "rigid",
+            name: "Displacement",
+            id: "displacement",
             summary: "Displacement that no rigid motion explains",
             ignores: "position and rotation",
             penalises: "every other displacement",
             term: "displacement beyond a rigid motion",
-            forms: &[("rigid", Form::Additive)],
+            forms: &[("default: displacement", Form::Additive)],
         }
+    }
+
+    fn lambda(&self) -> f64 {
+        // It is displacement already.
+        0.0
     }
 
     fn ignores_scale(&self) -> bool {
@@ -52,15 +101,12 @@ impl MetricTerms for Rigid {
         (rotation, translation): Motion,
         _: &mut PairScratch,
     ) -> Both {
-        let before = a.points();
-        let after: Vec<_> = (b.points().iter())
-            .map(|p| Point3::from(rotation * p.coords + translation))
-            .collect();
-        let field: Vec<Vector3> = after.iter().zip(&before).map(|(q, p)| q - p).collect();
-        // At both poses: the rigid part that is taken out depends on where the vertices are.
-        [(a, &before), (b, &after)].map(|(pose, points)| {
-            rigid_product(points, &metric.vertex_weights(pose), &field, &field)
-        })
+        let back = rotation.transpose();
+        // At both poses, each in its own axes: the rigid part that is taken out depends on where the vertices are.
+        [
+            left_over(metric, [a, b], rotation, translation),
+            left_over(metric, [b, a], &back, &(-back * translation)),
+        ]
     }
 
     /// Σ_p w_p X'·Y', X' and Y' without their own rigid parts.
