@@ -5,7 +5,7 @@ use cardiomorph::panes::{EditCommand, MapCommand, PlaybackCommand, WindowCommand
 
 use cardiomorph::analysis::deformations::Comparison;
 use cardiomorph::analysis::embedding::MapMethod;
-use cardiomorph::analysis::metrics::MetricKind;
+use cardiomorph::analysis::metrics::{MetricKind, MetricParams};
 use cardiomorph::engine::{PoseMapQuery, Topic};
 
 fn with_deformations() -> Harness<'static, App> {
@@ -264,7 +264,7 @@ fn a_stopped_map_of_poses_stops_the_map_of_deformations_and_both_come_back() {
     shown(&mut harness, Pane::DEFORMATION_MAP);
     let before = harness.state().state().deformations().unwrap().clone();
     let mut other = harness.state().state().document.map;
-    other.distances.metric.mu *= 2.0;
+    other.distances.metric = MetricParams::of(MetricKind::QuasiConformal);
     give(&mut harness, Command::Map(MapCommand::SetPoseMap(other)));
     assert!(harness.state().busy());
     harness.get_by_label("Deformation of N01, normal");
