@@ -40,6 +40,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use cardiomorph::analysis::embedding::Embedding;
+use cardiomorph::analysis::metrics::{MetricKind, MetricParams};
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::document::ViewMode;
 use cardiomorph::engine::{PoseMapQuery, Topic};
@@ -378,7 +379,7 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
     });
     let before = harness.state().state().map().unwrap().clone();
     let mut other = harness.state().state().document.map;
-    other.distances.metric.mu *= 2.0;
+    other.distances.metric = MetricParams::of(MetricKind::QuasiConformal);
     harness
         .state_mut()
         .push(Command::Map(MapCommand::SetPoseMap(other)));
