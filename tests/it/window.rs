@@ -383,8 +383,7 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
     harness
         .state_mut()
         .push(Command::Map(MapCommand::SetPoseMap(other)));
-    harness.step();
-    harness.step();
+    harness.run_steps(2);
     assert!(harness.state().busy(), "other settings make another map");
     harness.state_mut().push(Command::Work(WorkCommand::Cancel(
         Topic::of::<PoseMapQuery>(),
@@ -395,7 +394,6 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
     harness.state_mut().push(Command::Work(WorkCommand::Retry(
         Topic::of::<PoseMapQuery>(),
     )));
-    harness.step();
-    harness.step();
+    harness.run_steps(2);
     assert!(harness.state().busy(), "asked for again, it runs again");
 }

@@ -192,7 +192,7 @@ impl MetricParams {
     /// | isometric, λ = 1 | 7.5, 4.8, 1.8, 1.9 | 5.1, 3.0, 1.7, 0.8 | 17.6 % |
     /// | angle-preserving, λ = 0.25 | 13.6, 9.5, 7.6, 7.0 | 9.4, 9.6, 5.7, 3.3 | 20.8 % |
     /// | angle-preserving, λ = 1 | 5.4, 4.6, 2.1, 1.7 | 4.5, 3.4, 1.8, 1.1 | 19.2 % |
-    /// | quasi-conformal | 46, 34, 49, 143 | 106, 66, 128, 96 | |
+    /// | quasi-conformal, μ = 0.25 | 46, 34, 49, 143 | 106, 66, 128, 96 | |
     /// | quasi-conformal, μ = 0.001, λ = 3 | 9.2, 4.8, 2.4, 6.0 | | 17.9 % |
     ///
     /// By the quasi-conformal metric transport does not settle at all: curvature, averaged over a radius, lets wrinkles

@@ -224,7 +224,6 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     harness.run();
     assert!(shows(&harness, "Motion of P07 on N03"));
     assert!(shows(&harness, "transported motion · frame 3 (0–7)"));
-    // In full or, where there is little room, in short.
     assert!(shows(&harness, "long a geodesic"));
     assert_eq!(harness.state().hearts_on_screen(), [(15, 3.0), (2, 3.0)]);
     // At end-diastole it is the heart itself; later it moves otherwise than by its own.
