@@ -73,9 +73,11 @@ pub fn metric_words(metric: &MetricParams) -> String {
         return kind.to_owned();
     }
     let form = metric.form.id();
-    let curvature = (metric.curvature_role() == CurvatureRole::Term)
-        .then(|| format!(", μ = {}", metric.mu))
-        .unwrap_or_default();
+    let curvature = if metric.curvature_role() == CurvatureRole::Term {
+        format!(", μ = {}", metric.mu)
+    } else {
+        String::new()
+    };
     let corners = match metric.corners {
         Corners::Raw => "corner terms as printed",
         Corners::ScaleFree => "scale-invariant corner terms",

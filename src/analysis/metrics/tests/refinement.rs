@@ -20,7 +20,7 @@ fn beating(points: &[Point3], t: f64) -> Vec<Point3> {
 }
 
 /// Distances of every metric with its weights on meshes of growing fineness.
-fn assert_converged(meshes: [TriMesh; 3], wanted: [usize; 3]) {
+fn assert_converged(meshes: &[TriMesh; 3], wanted: [usize; 3]) {
     assert_eq!(meshes.each_ref().map(|mesh| mesh.vertices().len()), wanted);
     for kind in METRICS {
         let distance = |mesh: &TriMesh| {
@@ -37,12 +37,12 @@ fn assert_converged(meshes: [TriMesh; 3], wanted: [usize; 3]) {
 #[test]
 fn distances_of_one_closed_surface_are_the_same_on_any_mesh() {
     let spheres = [3, 4, 5].map(|level| phantom::sphere(level, 1.0));
-    assert_converged(spheres, [642, 2_562, 10_242]);
+    assert_converged(&spheres, [642, 2_562, 10_242]);
 }
 
 #[test]
 fn distances_of_one_open_surface_are_the_same_on_any_mesh() {
     let bowls =
         [(16, 40), (32, 80), (64, 160)].map(|(rings, around)| phantom::bowl(1.0, rings, around));
-    assert_converged(bowls, [641, 2_561, 10_241]);
+    assert_converged(&bowls, [641, 2_561, 10_241]);
 }
