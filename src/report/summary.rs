@@ -87,6 +87,9 @@ pub(super) fn deformations_json(study: &Study, map: &DeformationMap, comparison:
         "neighbours": map.embedding.neighbours,
         "parts": map.embedding.parts,
         "reconstruction_error": map.embedding.reconstruction_error,
+        // Where neighbourhoods fall into parts, the map is one of the distances.
+        "method": if map.embedding.stress.is_some() { "smacof" } else { "lle" },
+        "stress": map.embedding.stress,
     })
 }
 
@@ -185,5 +188,22 @@ mod tests {
         assert_eq!(value["samples"], 64);
         assert_eq!(value["compared"], "curves of poses");
         assert_eq!(value["median_shape_share"], Value::Null);
+        assert_eq!(
+            (&value["method"], &value["stress"]),
+            (&json!("lle"), &Value::Null)
+        );
+        let by_distances = DeformationMap {
+            embedding: Embedding {
+                stress: Some(0.25),
+                parts: Some(2),
+                ..Embedding::default()
+            },
+            ..map
+        };
+        let value = deformations_json(&Study::default(), &by_distances, "deformation");
+        assert_eq!(
+            (&value["method"], &value["stress"]),
+            (&json!("smacof"), &json!(0.25))
+        );
     }
 }

@@ -22,6 +22,8 @@ pub struct DeformationMapView<'a> {
     pub neighbours: Option<usize>,
     /// How far points are from what their neighbours say of them; no unit.
     pub reconstruction_error: Option<f64>,
+    /// Kruskal's stress where the map is one of the distances by stress majorisation; no unit.
+    pub stress: Option<f64>,
     /// How much of the map's unit one cycle counts for.
     pub time_weight: Option<f64>,
     /// How well classifiers find the labels.
@@ -106,15 +108,23 @@ pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
 const EXPLANATION: &str = "Locally linear embedding: the motion of every subject is reconstructed \
                            from its neighbours, and is embedded where these reconstructions fit \
                            best. Error: reconstruction error relative to the variance of the \
-                           motions. Time, where curves of poses are compared, has this weight, in units of \
+                           motions. Where neighbourhoods fall into separate parts, the map is one of the distances \
+                           themselves, by stress majorisation, and has a stress instead. Time, where curves of poses are compared, has this weight, in units of \
                            the pose map per cycle.";
 
-/// "neighbours 8", "reconstruction error 0.012", "time × 1.4", as far as they are known.
+/// "neighbours 8", "reconstruction error 0.012", "time × 1.4", as far as they are known; "SMACOF", "stress 0.12" where the map
+/// is one of distances.
 fn note_parts(view: &DeformationMapView, [neighbours, error]: [&str; 2]) -> Vec<String> {
-    let neighbours = view.neighbours.map(|count| format!("{neighbours} {count}"));
-    let error = view
-        .reconstruction_error
-        .map(|value| format!("{error} {}", significant(value)));
+    let [neighbours, error] = match view.stress {
+        Some(stress) => [
+            Some("SMACOF".to_owned()),
+            Some(format!("stress {}", significant(stress))),
+        ],
+        None => [
+            view.neighbours.map(|count| format!("{neighbours} {count}")),
+            (view.reconstruction_error).map(|value| format!("{error} {}", significant(value))),
+        ],
+    };
     let time = view.time_weight;
     let time = time.map(|weight| format!("time × {}", significant(weight)));
     [neighbours, error, time].into_iter().flatten().collect()

@@ -13,6 +13,15 @@ fn harness(
     rows: Vec<ClassifierView>,
     absent: ClassesView<'static>,
 ) -> Harness<'static, Vec<Command>> {
+    harness_with(None, rows, absent)
+}
+
+/// With a stress, the map is one of distances.
+fn harness_with(
+    stress: Option<f64>,
+    rows: Vec<ClassifierView>,
+    absent: ClassesView<'static>,
+) -> Harness<'static, Vec<Command>> {
     let subjects: Vec<CohortRow> = (0..4)
         .map(|index| CohortRow {
             id: format!("P{index}"),
@@ -42,6 +51,7 @@ fn harness(
                     comparison: Comparison::default(),
                     neighbours: Some(5),
                     reconstruction_error: Some(0.0123),
+                    stress,
                     time_weight: Some(1.42),
                     classes: if rows.is_empty() {
                         absent.clone()
@@ -57,6 +67,12 @@ fn harness(
         );
     harness.run();
     harness
+}
+
+#[test]
+fn a_map_of_distances_says_so_and_names_no_neighbours() {
+    let harness = harness_with(Some(0.125), Vec::new(), ClassesView::Absent);
+    harness.get_by_label("SMACOF · stress 0.12 · time × 1.4");
 }
 
 #[test]

@@ -59,6 +59,7 @@ pub fn with_view(
         comparison: state.document.deformation_map.comparison,
         neighbours: embedding.and_then(|embedding| embedding.neighbours),
         reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
+        stress: embedding.and_then(|embedding| embedding.stress),
         time_weight: map.and_then(|map| map.time_weight),
         classes: classes_view(state, &rows),
         classes_by: (state.document.study().has_other_classes_than_labels())

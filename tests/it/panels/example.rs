@@ -128,6 +128,7 @@ impl Example {
             comparison: Comparison::default(),
             neighbours: Some(5),
             reconstruction_error: Some(0.0123),
+            stress: None,
             time_weight: Some(1.42),
             classes: ClassesView::Ready(&self.classifiers),
             classes_by: None,
