@@ -2,10 +2,12 @@
 //! other; below it, how well classifiers find the labels.
 
 mod classes;
+mod header;
 mod map;
 pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 pub(crate) mod view;
+mod words;
 
-pub use {classes::*, map::*};
+pub use {classes::*, header::*, map::*, words::*};

@@ -49,10 +49,12 @@ fn harness_with(
                 let view = DeformationMapView {
                     map,
                     comparison: Comparison::default(),
-                    neighbours: Some(5),
-                    reconstruction_error: Some(0.0123),
-                    stress,
-                    time_weight: Some(1.42),
+                    fit: DeformationFit {
+                        neighbours: Some(5),
+                        reconstruction_error: Some(0.0123),
+                        stress,
+                        time_weight: Some(1.42),
+                    },
                     classes: if rows.is_empty() {
                         absent.clone()
                     } else {

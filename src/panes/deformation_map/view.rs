@@ -18,7 +18,7 @@ use crate::panes::work_state::WorkState;
 use crate::picture::sentence;
 use crate::study::Study;
 
-use super::{ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView};
+use super::{ClassesView, ClassifierView, DEFORMATION_MAP, DeformationFit, DeformationMapView};
 
 /// How many of the subjects with the most similar motion are named.
 const NAMED_NEIGHBOURS: usize = 3;
@@ -45,7 +45,6 @@ pub fn with_view(
         (points(map, study, classes, first), left_out(study, without))
     });
     let rows = classes.map_or_else(Vec::new, |classes| classifiers(classes));
-    let embedding = map.map(|map| &map.embedding);
     let (work, job) = deformation_state(state);
     let view = DeformationMapView {
         map: ScatterView {
@@ -57,10 +56,7 @@ pub fn with_view(
             ..kept.view(state, &DEFORMATION_MAP, work, cohort.rows())
         },
         comparison: state.document.deformation_map.comparison,
-        neighbours: embedding.and_then(|embedding| embedding.neighbours),
-        reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
-        stress: embedding.and_then(|embedding| embedding.stress),
-        time_weight: map.and_then(|map| map.time_weight),
+        fit: map.map(|map| DeformationFit::of(map)).unwrap_or_default(),
         classes: classes_view(state, &rows),
         classes_by: (state.document.study().has_other_classes_than_labels())
             .then(|| state.document.classes_by()),

@@ -1,10 +1,10 @@
 //! The pose map: a point is a subject at a frame, similar poses lie near each other.
 
 mod header;
-mod map;
 pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 pub(crate) mod view;
+mod words;
 
-pub use {header::*, map::*};
+pub use {header::*, words::*};

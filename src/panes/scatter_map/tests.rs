@@ -4,7 +4,7 @@ use egui::{Key, Pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::lens::Lens;
-use super::view::play;
+use super::view::play_command;
 use super::*;
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::cohort::rows::CohortRow;
@@ -65,7 +65,7 @@ static WORDS: MapWords = MapWords {
     what: "Something would be here.",
     none: "No map",
     hints: &["Click to play"],
-    command: play,
+    command: play_command,
 };
 
 /// The map as it is shown while P0 is selected.

@@ -33,7 +33,7 @@ pub struct MapWords {
 }
 
 /// Shows a point's subject at its start frame and plays from there.
-pub fn play(point: &ScatterPoint) -> Command {
+pub fn play_command(point: &ScatterPoint) -> Command {
     let (subject, frame) = (point.subject, point.start_frame);
     let play = true;
     Command::Select(SelectCommand::SelectPose {

@@ -5,7 +5,7 @@ use egui::{Color32, Pos2, Response, Role, Sense, Ui, WidgetInfo, vec2};
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::commands::Command;
 use crate::panes::scatter_map::{
-    MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play, pointed_at,
+    MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play_command, pointed_at,
     pointer_zoom, pressed_arrows, respond_ui, without_map_ui,
 };
 use crate::ui::controls::{clicked_twice, dragged_from_within};
@@ -28,7 +28,7 @@ pub static SPACE_TIME: MapWords = MapWords {
         "Click to play this subject from this pose",
         "Drag to turn, scroll to zoom, double click to reset the view",
     ],
-    command: play,
+    command: play_command,
 };
 
 /// How near to a curve, in points of the screen, a click counts as on it.

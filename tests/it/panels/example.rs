@@ -126,10 +126,12 @@ impl Example {
                 ..self.scatter(&DEFORMATION_MAP, &self.deformations, state)
             },
             comparison: Comparison::default(),
-            neighbours: Some(5),
-            reconstruction_error: Some(0.0123),
-            stress: None,
-            time_weight: Some(1.42),
+            fit: DeformationFit {
+                neighbours: Some(5),
+                reconstruction_error: Some(0.0123),
+                stress: None,
+                time_weight: Some(1.42),
+            },
             classes: ClassesView::Ready(&self.classifiers),
             classes_by: None,
         }

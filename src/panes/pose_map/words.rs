@@ -1,7 +1,7 @@
 //! The words of the pose map.
 
 use crate::engine::{PoseMapQuery, Topic};
-use crate::panes::scatter_map::{MapWords, play};
+use crate::panes::scatter_map::{MapWords, play_command};
 
 /// The words of the map.
 pub static POSE_MAP: MapWords = MapWords {
@@ -12,7 +12,7 @@ pub static POSE_MAP: MapWords = MapWords {
     what: "Every pose of every subject is a point here; similar poses lie near each other.",
     none: "The pose map could not be computed",
     hints: &["Click to play this subject from this pose"],
-    command: play,
+    command: play_command,
 };
 
 /// How well the map fits, with what that means.

@@ -1,13 +1,7 @@
-//! The words of the medial map, and its header.
+//! The words of the medial map.
 
-use egui::Ui;
-
-use crate::analysis::embedding::MapMethod;
 use crate::engine::{MedialMapQuery, Topic};
-use crate::panes::commands::{Command, MapCommand};
-use crate::panes::metric::words::method_name;
-use crate::panes::scatter_map::{MapWords, method_choices_ui, play};
-use crate::ui::controls::chooser_ui;
+use crate::panes::scatter_map::{MapWords, play_command};
 
 /// The words of the map.
 pub static MEDIAL_MAP: MapWords = MapWords {
@@ -19,7 +13,7 @@ pub static MEDIAL_MAP: MapWords = MapWords {
            distances, those of a wall that thickens large ones.",
     none: "The medial map could not be computed",
     hints: &["Click to play this subject from this pose"],
-    command: play,
+    command: play_command,
 };
 
 /// How well the map fits, with what that means; `frame` are the axes in which subjects are compared.
@@ -49,13 +43,4 @@ pub fn medial_facts(patch: Option<usize>, ratio: f64, mean_distance: Option<f64>
     let distance =
         mean_distance.map(|distance| format!("Mean pose distance of this path {distance:.2}"));
     [Some(ratio), distance].into_iter().flatten().collect()
-}
-
-/// Draws the chooser of the method, for a header that has its own title. Pose map and map of
-/// the medial shape space share the method, so that they can be compared.
-pub fn medial_map_choosers_ui(ui: &mut Ui, method: MapMethod, commands: &mut Vec<Command>) {
-    chooser_ui(ui, "Method", method_name(method), |ui| {
-        let chosen = method_choices_ui(ui, method);
-        commands.extend(chosen.map(|method| Command::from(MapCommand::SetMapMethod(method))));
-    });
 }
