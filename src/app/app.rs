@@ -234,6 +234,7 @@ impl App {
                 files.ask_for_study(&mut exporting, folder, then);
             }
             Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
+            Effect::PaneFigure(pane, to) => files.ask_for_plot(&mut exporting, pane, to),
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::ReadFirst(id) => self.background.engine.read_first(id),
             Effect::Open(source) => self.background.engine.open(source),
@@ -284,7 +285,7 @@ impl App {
     fn exporting(&mut self, ctx: &Context) -> (&mut ChosenFiles, Exporting<'_>) {
         let exporting = Exporting {
             state: &mut self.state,
-            viewport: self.memo.get(),
+            memo: &self.memo,
             engine: &mut self.background.engine,
             dark: ctx.global_style().visuals.dark_mode,
         };

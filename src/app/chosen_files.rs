@@ -4,13 +4,15 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::engine::{Engine, OpenSource};
-use crate::panes::{Command, FileCommand, RuleCommand};
+use crate::panes::{Command, FileCommand, Pane, RuleCommand, spec_of};
 use crate::picture::Quantity;
+use crate::picture::plot::PlotFigure;
 use crate::study::Subject;
 
 use super::dialogs::Dialogs;
 use super::errors::push_card;
 use super::export::{FigureColours, FigureExport, FigureKind, NoFigure, TableExport};
+use super::plot_export::PlotExport;
 use super::path_question::{AskPaths, PathQuestion};
 use super::rules::{RuleExport, Rules, split_rule};
 use super::saved_views::{SavedViews, split_picture};
@@ -19,7 +21,8 @@ use super::study_export::write_study_into;
 use crate::document::Leaving;
 use crate::document::document::Document;
 use crate::document::state::State;
-use crate::panes::pane_context::Kept;
+use crate::panes::figure::PaneFigure;
+use crate::panes::pane_context::{Memo, PaneContext};
 use crate::panes::viewport::viewport::Viewport;
 
 /// A figure as it was asked for. It waits where the selected subject is not on screen yet, or its wall not measured.
@@ -70,10 +73,26 @@ impl WantedFigure {
 /// What an export is made from and reports to.
 pub struct Exporting<'a> {
     pub state: &'a mut State,
-    pub viewport: Kept<Viewport>,
+    /// What panes made in earlier frames.
+    pub memo: &'a Memo,
     pub engine: &'a mut Engine,
     /// Whether the window is dark; a figure looks like the window.
     pub dark: bool,
+}
+
+impl Exporting<'_> {
+    /// What the figure of a pane holds now.
+    fn content_of(&self, figure: &PaneFigure) -> Result<PlotFigure, String> {
+        (figure.content)(&PaneContext {
+            state: self.state,
+            store: self.engine.store(),
+            memo: self.memo,
+            activities: &[],
+            opening: self.engine.opening(),
+            pointer_held: false,
+            meter: &Arc::default(),
+        })
+    }
 }
 
 /// The dialog that is open, the picture that is read and the figures that wait for their subject.
@@ -255,23 +274,60 @@ impl ChosenFiles {
         self.make_figure(exporting, wanted);
     }
 
+    /// Fixes what a pane shows at the moment it is asked for, then asks where it goes if that is not known.
+    pub fn ask_for_plot(
+        &mut self,
+        exporting: &mut Exporting<'_>,
+        pane: Pane,
+        path: Option<PathBuf>,
+    ) {
+        let Some(figure) = spec_of(pane).and_then(|spec| spec.figure.as_ref()) else {
+            return;
+        };
+        let colours = FigureColours::of(exporting.state.figure_look, exporting.dark);
+        let content = exporting.content_of(figure);
+        let plot = content.and_then(|content| PlotExport::of(content, colours));
+        match (plot, path) {
+            (Ok(plot), Some(path)) => {
+                let begun = plot.write(exporting.engine, path);
+                report_unwritten(exporting.state, begun);
+            }
+            (Ok(plot), None) => {
+                let question = PathQuestion::SaveFigure {
+                    title: figure.save,
+                    suggested: plot.file_name(),
+                };
+                let write = |state: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
+                    report_unwritten(state, plot.write(engine, paths.swap_remove(0)));
+                    None
+                };
+                self.dialogs
+                    .ask(exporting.engine, question, Box::new(write));
+            }
+            (Err(why), _) => push_card(&mut exporting.state.errors, figure.none, why),
+        }
+    }
+
     fn make_figure(&mut self, exporting: &mut Exporting<'_>, mut wanted: WantedFigure) {
         let state = &mut *exporting.state;
-        let viewport = exporting.viewport.borrow_mut();
+        let viewport = exporting.memo.get::<Viewport>();
+        let viewport = viewport.borrow_mut();
         let (document, kind) = (&wanted.document, wanted.kind);
         let figure = match wanted.is_answered_by(&self.answered) {
             true => FigureExport::of(document, state, &viewport, &wanted.colours, kind),
             false => Err(NoFigure::NotYet),
         };
         match (figure, wanted.path.take()) {
-            (Ok(figure), Some(path)) => write_figure(state, exporting.engine, figure, path),
+            (Ok(figure), Some(path)) => {
+                report_unwritten(state, figure.write(exporting.engine, path));
+            }
             (Ok(figure), None) => {
                 let question = PathQuestion::SaveFigure {
                     title: kind.dialog_title(),
                     suggested: figure.file_name(),
                 };
                 let write = |state: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
-                    write_figure(state, engine, figure, paths.swap_remove(0));
+                    report_unwritten(state, figure.write(engine, paths.swap_remove(0)));
                     None
                 };
                 self.dialogs
@@ -316,8 +372,9 @@ impl ChosenFiles {
     }
 }
 
-fn write_figure(state: &mut State, engine: &mut Engine, figure: FigureExport, path: PathBuf) {
-    if let Err(reason) = figure.write(engine, path) {
+/// Says why a figure was not begun to be written.
+fn report_unwritten(state: &mut State, begun: Result<(), String>) {
+    if let Err(reason) = begun {
         let title = "The figure could not be written";
         push_card(&mut state.errors, title, reason);
     }

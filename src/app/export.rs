@@ -10,8 +10,8 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::ViewMode;
 use crate::engine::{
-    Engine, ExportFile, Store, TableSettings, ThickeningSettings, VerdictQuery, distance_words,
-    file_name, replace_results, tables_of_study,
+    Engine, Store, TableSettings, ThickeningSettings, VerdictQuery, distance_words, file_name,
+    replace_results, tables_of_study,
 };
 use crate::picture::figure::{
     FigureLook, FigureOrder, FigureSubject, FigureView, PatchOrder, check_figure_size,
@@ -25,7 +25,7 @@ use crate::study::Study;
 
 use super::asks::{deformation_settings, verdict_settings};
 use super::errors::interruption;
-use super::typed_paths::with_png_ending;
+use super::figure_file::write_figure_file;
 use crate::document::document::{Document, nearest_frame};
 use crate::document::play::pose_in;
 use crate::document::state::State;
@@ -69,10 +69,10 @@ impl FigureKind {
 /// Size and colours of a figure as they were chosen when it was asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct FigureColours {
-    size: Option<[u32; 2]>,
+    pub(super) size: Option<[u32; 2]>,
     dark: bool,
-    theme: PictureTheme,
-    transparent: bool,
+    pub(super) theme: PictureTheme,
+    pub(super) transparent: bool,
 }
 
 impl FigureColours {
@@ -204,38 +204,15 @@ impl FigureExport {
         self.shown.placed.prepared.frame_count
     }
 
-    /// Draws and writes it, off the window's thread. A name without an ending becomes one of a picture; a file that lies
-    /// there then is not replaced, since nobody was asked about it.
+    /// Draws and writes it, off the window's thread.
     ///
     /// # Errors
     /// If the name has an ending that no figure has.
     pub fn write(self, engine: &mut Engine, path: PathBuf) -> Result<(), String> {
-        let ends = path.extension().is_some();
-        let path = with_png_ending(path);
-        let Some(format) = PageFormat::of(&path) else {
-            return Err(format!(
-                "{}: the name must end in .png, .svg or .pdf",
-                path.display()
-            ));
-        };
-        let [width, height] = self.size;
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let words = format!("{width} × {height} pixels, {name}");
-        let store = Arc::clone(engine.store());
-        engine.start_export(self.kind.name(), words, move |progress| {
-            if !ends && path.exists() {
-                let path = path.display();
-                return Err(format!(
-                    "a file lies there already; type its whole name to replace it: {path}"
-                ));
-            }
-            let bytes = drawn(&self, &store, format, progress)?;
-            Ok(vec![ExportFile {
-                path,
-                bytes: bytes.into(),
-            }])
-        });
-        Ok(())
+        let (name, size) = (self.kind.name(), self.size);
+        write_figure_file(engine, path, name, size, move |store, format, progress| {
+            drawn(&self, store, format, progress)
+        })
     }
 }
 

@@ -2,11 +2,14 @@
 
 use std::sync::LazyLock;
 
-use super::commands::{ACTIONS, Action, Menu, WindowCommand, row};
+use super::commands::{ACTIONS, Action, FileCommand, Menu, WindowCommand, row};
 use super::table::PANES;
 
 /// The group of the menu View in which panes are shown and hidden.
 const PANE_GROUP: u8 = 5;
+
+/// The group of the menu Export with the figures of panes, behind those of the 3D view.
+const FIGURE_GROUP: u8 = 1;
 
 /// All actions, by menu and group.
 pub static ALL_ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
@@ -19,7 +22,13 @@ pub static ALL_ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
         let command = WindowCommand::ShowPane(spec.pane).into();
         Some(row(Menu::Analysis, group, name, None, command))
     });
-    let actions = toggles.chain(ACTIONS.iter().cloned()).chain(opens);
+    let figures = PANES.iter().filter_map(|spec| {
+        let command = FileCommand::ExportPaneFigure(spec.pane, None).into();
+        let name = spec.figure.as_ref()?.action;
+        Some(row(Menu::Export, FIGURE_GROUP, name, None, command))
+    });
+    let actions = toggles.chain(ACTIONS.iter().cloned());
+    let actions = actions.chain(opens).chain(figures);
     let mut actions: Vec<Action> = actions.collect();
     // Stable: within a group the order of the tables stays.
     actions.sort_by_key(|action| (action.menu, action.group));

@@ -15,6 +15,7 @@ pub(crate) mod commands;
 pub(crate) mod curves;
 pub(crate) mod cycle_axis;
 pub(crate) mod deformation_map;
+pub(crate) mod figure;
 pub(crate) mod measures;
 pub(crate) mod medial_map;
 pub(crate) mod metric;

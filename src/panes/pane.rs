@@ -3,6 +3,7 @@
 use egui::Ui;
 
 use super::commands::{Command, Pane};
+use super::figure::PaneFigure;
 use super::pane_context::PaneContext;
 
 /// Draws a part of a pane: it may look, and push commands.
@@ -23,6 +24,8 @@ pub struct PaneSpec {
     pub place: Place,
     /// What stands in its header.
     pub header: Header,
+    /// What it can be exported as, beside what the 3D view is.
+    pub figure: Option<PaneFigure>,
     /// What stands in it.
     pub ui: Draw,
 }

@@ -41,6 +41,11 @@ impl<'a> PaneContext<'a> {
         ask_at_rest(self.store, study, self.pointer_held, query)
     }
 
+    /// The answer to a question about the study as it is now, if it is known; begins nothing.
+    pub fn known<Q: Query>(&self, query: &Q) -> Option<Arc<Q::Answer>> {
+        self.store.known(self.state.document.study(), query)
+    }
+
     /// Finished and running work, newest first.
     pub fn activities(&self) -> &'a [Activity] {
         self.activities

@@ -1,7 +1,7 @@
 //! Shapes of the labels of a study: each label has its own, so that colour is never alone. Maps on screen and in the report
 //! mark subjects alike.
 
-use crate::picture::tokens::srgb;
+use crate::picture::tokens::{PictureTheme, srgb};
 use crate::study::{LabelClass, Study};
 
 /// How subjects of one label are marked in tables, maps and legends.
@@ -39,6 +39,18 @@ const ON_PAPER: [[f32; 3]; 8] = [
     srgb(0xd8_1e52),
     srgb(0x00_414d),
     srgb(0x7c_1678),
+];
+
+/// The same on dark ground, as in the dark theme of the window.
+const ON_DARK: [[f32; 3]; 8] = [
+    srgb(0xe7_885c),
+    srgb(0x4f_d6ae),
+    srgb(0xa3_6cf7),
+    srgb(0xfe_b1d8),
+    srgb(0x2f_9a3f),
+    srgb(0xf2_3a6e),
+    srgb(0xdf_f5e4),
+    srgb(0x9a_8a00),
 ];
 
 impl LabelMark {
@@ -129,6 +141,16 @@ impl LabelMark {
                     .map(|side| vec![[0.0, 0.0], [-1.0, side], [1.0, side]])
                     .into(),
             ),
+        }
+    }
+
+    /// Its colour in a figure of a theme.
+    pub fn colour_on(self, theme: &PictureTheme) -> [f32; 3] {
+        match self {
+            _ if !theme.is_dark() => self.on_paper(),
+            Self::Normal => srgb(0x5a_b0f2),
+            Self::Unlabelled => srgb(0x8a_94a1),
+            Self::Label(place) => ON_DARK[label_colour_of(place, ON_DARK.len())],
         }
     }
 

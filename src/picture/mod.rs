@@ -17,6 +17,7 @@ mod openings;
 mod origin;
 pub mod page;
 mod patch_words;
+pub mod plot;
 mod prepared;
 mod quantity;
 pub mod report;

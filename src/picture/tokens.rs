@@ -48,6 +48,11 @@ pub struct PictureTheme {
 }
 
 impl PictureTheme {
+    /// Whether it is light on dark.
+    pub fn is_dark(&self) -> bool {
+        self.text.iter().sum::<f32>() > self.background.iter().sum::<f32>()
+    }
+
     /// Light on dark: reading rooms and slides.
     pub const DARK: Self = Self {
         background: srgb(0x1a_1e24),

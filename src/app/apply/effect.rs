@@ -29,6 +29,8 @@ pub enum Effect {
     },
     /// Ask where a picture goes.
     ChooseFigure(FigureKind),
+    /// Write what a pane shows; asks where if `None`.
+    PaneFigure(Pane, Option<PathBuf>),
     /// Ask where tables go.
     ChooseTables,
     /// Read or make a study.

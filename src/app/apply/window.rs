@@ -68,6 +68,9 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         }
         FileCommand::ExportFigure(path) => figure(FigureKind::View, path, is_open),
         FileCommand::ExportPatchFigure(path) => figure(FigureKind::Patch, path, is_open),
+        FileCommand::ExportPaneFigure(pane, path) => {
+            is_open.then_some(Effect::PaneFigure(pane, path))
+        }
         FileCommand::ExportTables(Some(folder)) => Some(Effect::WriteTables(folder)),
         FileCommand::ExportTables(None) => is_open.then_some(Effect::ChooseTables),
         FileCommand::SetFigureLook(look) => {

@@ -32,11 +32,12 @@ const GROUPS: [(Menu, u8, &str); 4] = [
 ];
 
 /// Titles of submenus whose actions begin alike, where the beginning alone is not one.
-const TITLES: [(&str, &str); 4] = [
+const TITLES: [(&str, &str); 5] = [
     ("Pane", "Panes"),
     ("Colour", "Colour of the surface"),
     ("Bull's-eye", "Colour of the bull's-eye"),
     ("Pose map", "Embedding of the pose map"),
+    ("Figure", "Figure of a pane"),
 ];
 
 /// The lines of a menu, with a separator between groups.

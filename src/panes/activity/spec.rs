@@ -20,6 +20,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: None,
     place: Place::Left,
     header: Header::Title,
+    figure: None,
     ui,
 };
 

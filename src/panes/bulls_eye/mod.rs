@@ -2,6 +2,7 @@
 
 pub(crate) mod data;
 mod draw;
+mod figure;
 mod layout;
 pub(crate) mod spec;
 #[cfg(test)]

@@ -9,6 +9,7 @@ use crate::panes::viewport::viewport::Viewport;
 
 use super::bulls_eye_ui;
 use super::data::BullsEyeData;
+use super::figure::FIGURE;
 
 impl Pane {
     /// The polar map of the wall, by AHA segment.
@@ -23,6 +24,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((3, "Bull's-eye")),
     place: Place::BelowRight,
     header: Header::Title,
+    figure: Some(FIGURE),
     ui,
 };
 

@@ -24,6 +24,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: None,
     place: Place::Left,
     header: Header::Beside(count_ui),
+    figure: None,
     ui,
 };
 

@@ -1,6 +1,7 @@
 //! Commands about files: what is opened and what is exported.
 
 use super::action::{CTRL, Menu, NONE, Row, SHIFT, row};
+use super::pane::Pane;
 use crate::picture::figure::FigureLook;
 use egui::Key;
 use std::path::PathBuf;
@@ -30,6 +31,8 @@ pub enum FileCommand {
     ExportFigure(Option<PathBuf>),
     /// Write the figure of the patch: heart, bull's-eye, table, verdict; `None` asks where.
     ExportPatchFigure(Option<PathBuf>),
+    /// Write what a pane shows as a figure; `None` asks where.
+    ExportPaneFigure(Pane, Option<PathBuf>),
     /// Write all tables; `None` asks where.
     ExportTables(Option<PathBuf>),
     /// How figures look from now on.

@@ -1,5 +1,6 @@
 //! Volumes over the cardiac cycle, with end-diastole, end-systole and the present position.
 
+mod figure;
 pub(crate) mod spec;
 mod view;
 

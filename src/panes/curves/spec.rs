@@ -7,6 +7,7 @@ use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
 
 use super::curves_ui;
+use super::figure::FIGURE;
 use super::view::curves_view;
 
 impl Pane {
@@ -22,6 +23,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: None,
     place: Place::BelowRight,
     header: Header::Beside(unit_ui),
+    figure: Some(FIGURE),
     ui,
 };
 

@@ -2,6 +2,7 @@
 //! other; below it, how well classifiers find the labels.
 
 mod classes;
+mod figure;
 mod header;
 mod map;
 pub(crate) mod spec;

@@ -2,6 +2,7 @@
 
 use egui::Ui;
 
+use super::figure::FIGURE;
 use super::view::with_view;
 use super::{deformation_header_ui, deformation_map_ui};
 use crate::panes::commands::{Command, Pane};
@@ -21,6 +22,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((2, "Deformation map")),
     place: Place::Above,
     header: Header::Beside(note_ui),
+    figure: Some(FIGURE),
     ui,
 };
 

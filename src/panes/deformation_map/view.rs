@@ -111,7 +111,7 @@ fn mapped_subjects(state: &State) -> usize {
 }
 
 /// One point per subject; `first_frame` is where a click plays from.
-fn points(
+pub(super) fn points(
     map: &DeformationMap,
     study: &Study,
     classes: Option<&Classes>,

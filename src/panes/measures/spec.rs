@@ -22,6 +22,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: None,
     place: Place::BelowLeft,
     header: Header::Title,
+    figure: None,
     ui,
 };
 

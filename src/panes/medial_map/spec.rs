@@ -2,6 +2,7 @@
 
 use egui::Ui;
 
+use super::figure::FIGURE;
 use super::medial_map_choosers_ui;
 use super::view::medial_map_ui;
 use crate::panes::commands::{Command, Pane};
@@ -21,6 +22,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((2, "Medial map")),
     place: Place::Above,
     header: Header::Named(choosers_ui),
+    figure: Some(FIGURE),
     ui: medial_map_ui,
 };
 

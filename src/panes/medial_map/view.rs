@@ -16,7 +16,7 @@ use crate::panes::work_state::WorkState;
 use super::{MEDIAL_MAP, medial_facts, medial_map_note};
 
 /// What the pane asks the store.
-fn medial_map_query(state: &State) -> MedialMapQuery {
+pub(super) fn medial_map_query(state: &State) -> MedialMapQuery {
     MedialMapQuery {
         thickening: state.document.thickening,
         method: state.document.map.method,
@@ -51,7 +51,7 @@ pub fn medial_map_ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Comma
 }
 
 /// One point per step of a path.
-fn points(map: &MedialMap, state: &State) -> Vec<ScatterPoint> {
+pub(super) fn points(map: &MedialMap, state: &State) -> Vec<ScatterPoint> {
     let path = |pose: &MedialPose| (pose.subject, pose.part);
     let poses = map.poses.iter().enumerate();
     poses

@@ -23,6 +23,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((3, "Metric and maps…")),
     place: Place::Left,
     header: Header::Title,
+    figure: None,
     ui,
 };
 

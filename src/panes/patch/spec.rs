@@ -23,6 +23,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((3, "Patch table and thresholds")),
     place: Place::BelowLeft,
     header: Header::Title,
+    figure: None,
     ui,
 };
 

@@ -1,5 +1,6 @@
 //! The pose map: a point is a subject at a frame, similar poses lie near each other.
 
+mod figure;
 mod header;
 pub(crate) mod spec;
 #[cfg(test)]

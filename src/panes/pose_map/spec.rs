@@ -2,6 +2,7 @@
 
 use egui::Ui;
 
+use super::figure::FIGURE;
 use super::pose_map_choosers_ui;
 use super::view::pose_map;
 use crate::panes::cohort::view::cohort_data;
@@ -23,6 +24,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((2, "Pose map")),
     place: Place::Above,
     header: Header::Named(choosers_ui),
+    figure: Some(FIGURE),
     ui,
 };
 

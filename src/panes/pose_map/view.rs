@@ -77,7 +77,7 @@ fn estimate(points: &[ScatterPoint], state: &State) -> Option<EstimateView> {
 }
 
 /// One point per pose.
-fn points(map: &PoseMap, state: &State) -> Vec<ScatterPoint> {
+pub(super) fn points(map: &PoseMap, state: &State) -> Vec<ScatterPoint> {
     let poses = map.distances.poses.iter().enumerate();
     poses
         .filter(|(row, _)| *row < map.embedding.len())

@@ -57,9 +57,7 @@ impl<M: PartialEq, D: PartialEq> ScatterData<M, D> {
                 Turn::default()
             };
         }
-        for target in &mut targets {
-            target.at = self.turn.apply(target.at);
-        }
+        targets = self.turn.of_points(targets);
         if !same_map {
             self.morph = if motion && same_listing {
                 Morph::between(&self.points, &targets, now_s)
@@ -87,6 +85,12 @@ impl<M: PartialEq, D: PartialEq> ScatterData<M, D> {
     /// How the map is turned onto the screen; `None` while points are on their way.
     pub fn turn(&self) -> Option<Turn> {
         (!self.morph.is_under_way()).then_some(self.turn)
+    }
+
+    /// How the points of a map are turned onto the screen; not at all where another map is there.
+    pub fn turn_of(&self, map: &M) -> Turn {
+        let same = self.made_from.as_ref().filter(|made| made.1 == *map);
+        same.map_or_else(Turn::default, |_| self.turn)
     }
 
     /// All points, where they are now.

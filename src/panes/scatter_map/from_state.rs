@@ -70,6 +70,11 @@ impl<M, D: PartialEq> MapPoints<M, D> {
         self.data.turn()
     }
 
+    /// How the points of a map are turned onto the screen; not at all where another map is there.
+    pub fn turn_of(&self, map: &Arc<M>) -> Turn {
+        self.data.turn_of(&Same::of(Some(map)))
+    }
+
     /// Who is not on the map, and why.
     pub fn left_out(&self) -> &[String] {
         &self.left_out

@@ -6,6 +6,7 @@ mod clusters;
 mod data;
 mod draw;
 mod estimate;
+mod figure;
 pub(crate) mod from_state;
 mod ground;
 mod hover;
@@ -27,8 +28,8 @@ mod tests;
 mod view;
 
 pub use {data::*, draw::*, input::*, map::*, method::*, orientation::*, path::*, point::*};
+pub use {figure::*, respond::*, view::*};
 pub use {lens::bounds, state::without_map_ui};
-pub use {respond::*, view::*};
 
 /// Forgets where on a map the eye, the pointer and the keyboard are: another study has other points there.
 pub fn leave_study(ctx: &egui::Context) {

@@ -96,6 +96,14 @@ impl Turn {
             self.to[1] + sin * x + cos * y,
         ]
     }
+
+    /// The points of the new map where they are shown.
+    pub fn of_points(&self, mut points: Vec<ScatterPoint>) -> Vec<ScatterPoint> {
+        for point in &mut points {
+            point.at = self.apply(point.at);
+        }
+        points
+    }
 }
 
 #[cfg(test)]

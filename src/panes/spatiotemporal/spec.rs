@@ -25,6 +25,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((2, "Spatiotemporal plot (3D)")),
     place: Place::Above,
     header: Header::Title,
+    figure: None,
     ui,
 };
 

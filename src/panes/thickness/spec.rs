@@ -21,6 +21,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((3, "Wall thickness by five methods")),
     place: Place::BelowRight,
     header: Header::Title,
+    figure: None,
     ui,
 };
 

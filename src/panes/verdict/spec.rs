@@ -21,6 +21,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: Some((3, "Verdict")),
     place: Place::BelowLeft,
     header: Header::Title,
+    figure: None,
     ui,
 };
 

@@ -22,6 +22,7 @@ pub const PANE: PaneSpec = PaneSpec {
     open: None,
     place: Place::Middle,
     header: Header::Always(header_ui),
+    figure: None,
     ui,
 };
 

@@ -154,7 +154,11 @@ fn footer(
 }
 
 /// Small lines that end at `at`; returns the base line that a line above them would have.
-pub(super) fn imprint(pen: &mut Pen<'_>, lines: &[String], [left, mut base]: [f32; 2]) -> f32 {
+pub(in crate::picture) fn imprint(
+    pen: &mut Pen<'_>,
+    lines: &[String],
+    [left, mut base]: [f32; 2],
+) -> f32 {
     let mut set = pen.regular(pen.theme.muted);
     set.size *= 0.87;
     for words in lines.iter().rev() {

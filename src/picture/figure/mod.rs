@@ -11,9 +11,11 @@ mod plan;
 mod saved_view;
 
 pub use content::{FigureContent, FigureSubject};
+pub(in crate::picture) use layout::imprint;
 pub use look::{FigureBackground, FigureLook, FigureSizeError, FigureTheme, check_figure_size};
 pub use make::{Figure, FigureOrder, FigureView, rendered_figure};
-pub use patch::{PatchOrder, rendered_patch_figure};
+pub(in crate::picture) use patch::draw_bulls_eye;
+pub use patch::{BullsEyeContent, PatchOrder, rendered_patch_figure};
 pub(in crate::picture) use pen::Pen;
 pub use saved_view::{SavedCamera, SavedShows, SavedSubject, SavedView, SavedViewError};
 

@@ -2,7 +2,6 @@
 
 mod content;
 mod cover;
-mod map_names;
 mod map_page;
 mod order;
 mod patch_pages;

@@ -1,5 +1,8 @@
 //! Figures of the window: written as files, taken up again from a picture.
 
+#[cfg(test)]
+mod plots;
+
 use super::*;
 use cardiomorph::panes::{
     EditCommand, FileCommand, PlaybackCommand, SelectCommand, TransportCommand, ViewCommand,

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use crate::analysis::segments::{RING_RADII, Segment, ring};
-use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues, ink_on, sector_line};
-use crate::picture::figure::patch::content::PatchContent;
+use crate::picture::bulls_eye::{
+    BullsEyeScale, PolarMap, PolarValues, ink_on, sector_line, sector_outline,
+};
 use crate::picture::figure::pen::Pen;
 use crate::picture::legend::{ColourLegend, Tick};
 use crate::picture::page::{Anchor, Mark, Page, Weight};
@@ -33,6 +34,23 @@ const WALLS: [(f64, &str); 6] = [
     (330.0, "inferolateral"),
 ];
 
+/// What a bull's-eye shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BullsEyeContent {
+    /// The polar map of the wall; `None` without a long axis.
+    pub flat: Option<(PolarMap, PolarValues)>,
+    /// Why there is no polar map.
+    pub without_flat: String,
+    /// What it shows, in which colours and words.
+    pub scale: BullsEyeScale,
+    /// The pose that it shows: "ES", "frame 3".
+    pub moment: String,
+    /// What its patches may be called.
+    pub standing: PatchStanding,
+    /// One colour for each segment, where segments are known.
+    pub by_segment: bool,
+}
+
 /// The unit disc on the page.
 #[derive(Clone, Copy)]
 struct Disc {
@@ -60,9 +78,9 @@ impl Disc {
 }
 
 /// Draws the bull's-eye with its colour bar into a rectangle.
-pub(super) fn draw_bulls_eye(
+pub(in crate::picture) fn draw_bulls_eye(
     pen: &mut Pen<'_>,
-    content: &PatchContent,
+    content: &BullsEyeContent,
     low: [f32; 2],
     high: [f32; 2],
 ) {
@@ -95,12 +113,16 @@ pub(super) fn draw_bulls_eye(
         radius: across.min(down).max(1.0),
     };
     let width = (pen.text / 14.0).max(1.0);
-    let behind = colours(flat, shown, &content.scale, disc.radius);
-    let corner = [disc.centre[0] - disc.radius, disc.centre[1] - disc.radius];
     let ground = NO_VALUE.map(|channel| f32::from(channel) / 255.0);
     pen.page.fill(&disc.circle(1.0), ground);
-    pen.page
-        .picture(corner, [2.0 * disc.radius; 2], Arc::new(behind));
+    if content.by_segment && flat.oriented {
+        fill_segments(pen.page, shown, &content.scale, &disc);
+    } else {
+        let behind = colours(flat, shown, &content.scale, disc.radius);
+        let corner = [disc.centre[0] - disc.radius, disc.centre[1] - disc.radius];
+        pen.page
+            .picture(corner, [2.0 * disc.radius; 2], Arc::new(behind));
+    }
     for radius in RING_RADII {
         pen.page.line(&disc.circle(radius), true, width, BETWEEN);
     }
@@ -163,8 +185,8 @@ fn hatch(page: &mut Page, flat: &PolarMap, disc: &Disc, width: f32) {
     }
 }
 
-fn title(content: &PatchContent) -> String {
-    let title = sentence(&content.scale.title(&content.heart.moment));
+fn title(content: &BullsEyeContent) -> String {
+    let title = sentence(&content.scale.title(&content.moment));
     let patches = (content.flat.as_ref()).is_some_and(|(flat, _)| !flat.patches.is_empty());
     if !patches {
         return format!("{title} (grey: no value)");
@@ -262,6 +284,18 @@ fn names_of_walls(pen: &mut Pen<'_>, disc: &Disc) {
         let down = (0.5 - 0.5 * degrees.to_radians().sin()) as f32;
         let set = pen.regular(pen.theme.muted);
         pen.write(name, set, anchor, [x, y + 0.75 * text * down]);
+    }
+}
+
+/// Every segment in the colour of its mean.
+fn fill_segments(page: &mut Page, shown: &PolarValues, scale: &BullsEyeScale, disc: &Disc) {
+    for segment in Segment::all() {
+        let value = shown.segments[segment.index()];
+        let colour = value.and_then(|value| scale.colour(value));
+        let outline = sector_outline(segment).into_iter();
+        let corners: Vec<[f32; 2]> = outline.map(|point| disc.at(point)).collect();
+        let colour = colour.unwrap_or(NO_VALUE);
+        page.fill(&corners, colour.map(|channel| f32::from(channel) / 255.0));
     }
 }
 

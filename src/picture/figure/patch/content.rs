@@ -3,8 +3,9 @@
 use crate::analysis::thickening::Patch;
 use crate::analysis::verdicts::{ClassifierSource, Finding, NotAssessed, Verdicts};
 use crate::engine::{SubjectThickening, thickening_words};
-use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues};
+use crate::picture::bulls_eye::{BullsEyeScale, PolarMap};
 use crate::picture::figure::content::FigureContent;
+use crate::picture::figure::patch::bulls_eye::BullsEyeContent;
 use crate::picture::figure::patch::order::PatchOrder;
 use crate::picture::page::FigureSettings;
 use crate::picture::patch_words::{
@@ -125,12 +126,8 @@ pub struct PatchContent {
     pub verdict: VerdictLines,
     /// What its patches may be called.
     pub standing: PatchStanding,
-    /// The polar map of the wall; `None` without a long axis.
-    pub flat: Option<(PolarMap, PolarValues)>,
-    /// Why there is no polar map.
-    pub without_flat: String,
-    /// What the bull's-eye shows, in which colours and words.
-    pub scale: BullsEyeScale,
+    /// The bull's-eye beside the heart.
+    pub bulls_eye: BullsEyeContent,
     /// Patches, largest first.
     pub rows: Vec<PatchLine>,
     /// A sentence in place of rows, or below them.
@@ -183,7 +180,14 @@ impl PatchContent {
             ]),
         };
         Self {
-            without_flat: wall.without_axis.clone().unwrap_or_default(),
+            bulls_eye: BullsEyeContent {
+                flat,
+                without_flat: wall.without_axis.clone().unwrap_or_default(),
+                scale,
+                moment: heart.moment.clone(),
+                standing: order.standing(),
+                by_segment: false,
+            },
             parameters: format!(
                 "Medial surface {}. Tolerance ± {:.3} ln PT, noise of one atom {:.3} ln r",
                 thickening_words(&figure.thickening),
@@ -193,8 +197,6 @@ impl PatchContent {
             heart,
             verdict: VerdictLines::of(wall, order.verdicts, order.subject),
             standing: order.standing(),
-            flat,
-            scale,
             rows,
             note,
         }

@@ -39,7 +39,7 @@ pub fn drawn_patch_figure(
     let left = (frame.heart_at[0] + frame.heart_size[0]) as f32;
     let low = [left, frame.heart_at[1] as f32];
     let high = [size[0] - frame.margin, frame.legend_bottom];
-    draw_bulls_eye(&mut pen, content, low, high);
+    draw_bulls_eye(&mut pen, &content.bulls_eye, low, high);
     table(&mut pen, frame, content);
     let base = size[1] - 0.8 * frame.margin;
     imprint(&mut pen, &frame.imprint, [frame.margin, base]);

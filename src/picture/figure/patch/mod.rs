@@ -7,5 +7,7 @@ mod frame;
 mod make;
 mod order;
 
+pub use bulls_eye::BullsEyeContent;
+pub(in crate::picture) use bulls_eye::draw_bulls_eye;
 pub use make::rendered_patch_figure;
 pub use order::PatchOrder;
