@@ -118,6 +118,7 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing) {
         commands: drawing.commands,
         framed,
         tabbed,
+        gaps: std::collections::HashMap::new(),
     };
     drawing.layout.tree.ui(&mut panes, ui);
 }

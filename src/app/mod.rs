@@ -35,6 +35,7 @@ mod sheets;
 mod start;
 mod study_by_name;
 mod study_export;
+mod tab_strip;
 mod times;
 mod typed_paths;
 mod typefaces;

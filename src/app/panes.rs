@@ -15,6 +15,7 @@ use crate::ui::{medium_font, named_header_ui, pane_header_ui, tab_ui, text_width
 
 use super::corners::corner_masks;
 use super::layout::PaneTile;
+use super::tab_strip::{air_behind, fitted_tabs_ui};
 
 /// The panes of one frame, as the tiles draw them.
 pub struct Panes<'a> {
@@ -26,6 +27,8 @@ pub struct Panes<'a> {
     pub framed: HashSet<TileId>,
     /// Panes whose title stands in a bar of tabs, each with the titles of the whole bar.
     pub tabbed: HashMap<TileId, Vec<&'static str>>,
+    /// The air before the name of each such pane; `None` where a narrow bar has it in its menu.
+    pub gaps: HashMap<TileId, Option<f32>>,
 }
 
 /// Containers of tabs, and panes that share one with another open pane, with the titles of all that share it.
@@ -145,7 +148,13 @@ impl Behavior<PaneTile> for Panes<'_> {
             Some(pane) => title_of(pane.0),
             None => "Tiles",
         };
-        ui.add_space(tab_gap(ui, self.tabbed.get(&tile_id)));
+        let gap = self.gaps.get(&tile_id).copied();
+        let Some(gap) = gap.unwrap_or(Some(space::LARGE)) else {
+            // It stands in the menu of the bar.
+            let nowhere = Rect::from_min_size(ui.cursor().min, egui::Vec2::ZERO);
+            return ui.interact(nowhere, id, Sense::hover());
+        };
+        ui.add_space(gap);
         let shown = tab_ui(ui, title, state.active);
         // Drag and drop needs the tile's own id; the drawn tab lies below.
         ui.interact(shown.rect, id, Sense::click_and_drag())
@@ -166,8 +175,20 @@ impl Behavior<PaneTile> for Panes<'_> {
         // What the names of the tabs need; the rest is for choosers and notes.
         let shared = tabs.children.iter().find_map(|pane| self.tabbed.get(pane));
         let names = tabs_width(ui, shared);
-        ui.add_space(space::LARGE);
+        let open = tabs.children.iter().copied();
+        let open = open.filter(|pane| self.tabbed.contains_key(pane));
+        let (open, panes): (Vec<TileId>, Vec<Pane>) = open
+            .filter_map(|tile| Some((tile, tiles.get_pane(&tile)?.0)))
+            .unzip();
+        ui.add_space(match spec.header {
+            Header::Title => air_behind(ui, &panes),
+            Header::Beside(_) | Header::Named(_) | Header::Always(_) => space::LARGE,
+        });
         beside_ui(ui, spec, &self.cx, names, self.commands);
+        let front = open.iter().position(|tile| tabs.active == Some(*tile));
+        let fitted = fitted_tabs_ui(ui, &panes, front.unwrap_or(0), self.commands);
+        let gaps = fitted.shown.iter().map(|shown| shown.then_some(fitted.gap));
+        self.gaps.extend(open.into_iter().zip(gaps));
     }
 
     fn is_tab_bar_visible(&self, _tile_id: TileId, tabs: &Tabs) -> bool {
@@ -243,18 +264,7 @@ impl Behavior<PaneTile> for Panes<'_> {
 /// How wide the names of a bar of tabs are, with the air around them.
 fn tabs_width(ui: &Ui, names: Option<&Vec<&'static str>>) -> f32 {
     let air = space::LARGE + ui.spacing().item_spacing.x;
-    let widths = name_widths(ui, names);
-    widths.map(|name| name + air).sum::<f32>() + space::LARGE
-}
-
-fn name_widths(ui: &Ui, names: Option<&Vec<&'static str>>) -> impl Iterator<Item = f32> {
     let names = names.into_iter().flatten();
-    names.map(|name| text_width(ui, name, medium_font()))
-}
-
-/// The air before the name of a tab: less in a narrow bar, so that no name is cut while all have room.
-fn tab_gap(ui: &Ui, names: Option<&Vec<&'static str>>) -> f32 {
-    let count = names.map_or(1, Vec::len).max(1) as f32;
-    let free = ui.clip_rect().width() - name_widths(ui, names).sum::<f32>();
-    (free / count).floor().clamp(space::SMALL, space::LARGE)
+    let widths = names.map(|name| text_width(ui, name, medium_font()));
+    widths.map(|name| name + air).sum::<f32>() + space::LARGE
 }

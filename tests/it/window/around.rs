@@ -132,3 +132,31 @@ fn tables_are_written_by_a_job() {
     assert_eq!(table.lines().count(), 24);
     assert!(path.join("poses_mds.csv").exists());
 }
+
+#[test]
+fn a_pane_whose_tab_has_no_room_is_opened_from_the_menu_of_its_strip() {
+    use egui::accesskit::Role;
+    let mut harness = window(AppOptions::built_in(small()));
+    harness.set_size(egui::vec2(1024.0, 640.0));
+    wait_for_heart(&mut harness);
+    let tab = |harness: &Harness<'_, App>, name: &str| {
+        let mut tabs = harness.query_all_by_role_and_label(Role::Tab, name);
+        tabs.next().is_some()
+    };
+    assert!(tab(&harness, "Measures") && !tab(&harness, "Verdict"));
+    for tab in harness.query_all_by_role(Role::Tab) {
+        assert!(tab.rect().width() > 20.0, "{:?}", tab.rect());
+    }
+    let strip = harness.get_by_role_and_label(Role::Tab, "Measures").rect();
+    {
+        let menus = harness.get_all_by_label_contains("More panes: ");
+        let mut menus = menus.filter(|menu| menu.rect().y_range().contains(strip.center().y));
+        menus.next().unwrap().click();
+    }
+    harness.run_steps(3);
+    harness
+        .get_by_role_and_label(Role::RadioButton, "Verdict")
+        .click();
+    harness.run_steps(3);
+    assert!(tab(&harness, "Verdict") && !tab(&harness, "Measures"));
+}
