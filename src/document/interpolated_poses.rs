@@ -1,5 +1,6 @@
 //! Poses between the frames of motions: which were computed, and what is said of them on screen.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::analysis::geodesics::{GeodesicParams, GeodesicPath};
@@ -34,6 +35,11 @@ impl InterpolatedMotion {
     /// Whether they are those of this motion with these settings.
     pub fn are_of(&self, subject: &Arc<Subject>, params: &GeodesicParams) -> bool {
         Arc::ptr_eq(&self.subject, subject) && self.params == *params
+    }
+
+    /// The metric whose geodesics they lie on, as it is written within a sentence.
+    fn metric_name(&self) -> String {
+        self.params.metric.kind.words().name.to_lowercase()
     }
 
     /// The path of an interval, ends included; `None` while it is not computed.
@@ -149,8 +155,8 @@ pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
 pub struct BetweenWords {
     /// `interpolated` or `linear interpolation`; `None` on a frame.
     pub short: Option<&'static str>,
-    /// What `short` says, and what is wrong with the pose.
-    pub badge: Option<&'static str>,
+    /// What `short` says, by which metric, and what is wrong with the pose: the most important first.
+    pub badge: Option<Cow<'static, str>>,
     /// How it was found, and what is wrong with it; empty on a frame.
     pub note: String,
 }
@@ -165,8 +171,9 @@ pub fn between_words(
     if !is_between(position) {
         return BetweenWords::default();
     }
-    let path = interpolated_poses.and_then(|motion| motion.path(position.floor() as usize));
-    let Some(path) = path else {
+    let path = interpolated_poses
+        .and_then(|motion| Some((motion, motion.path(position.floor() as usize)?)));
+    let Some((motion, path)) = path else {
         let mut note =
             "Every vertex moves along a straight line from one frame to the next".to_owned();
         if !pending.is_empty() {
@@ -175,7 +182,7 @@ pub fn between_words(
         }
         return BetweenWords {
             short: Some("linear interpolation"),
-            badge: Some("linear interpolation"),
+            badge: Some("linear interpolation".into()),
             note,
         };
     };
@@ -183,22 +190,31 @@ pub fn between_words(
         1 => "1 interpolated pose between these frames".to_owned(),
         count => format!("{count} interpolated poses between these frames"),
     };
-    note.push_str(", on the geodesic of the map's metric");
+    let metric = motion.metric_name();
+    note.push_str(&format!(", on the geodesic of the {metric} metric"));
+    let mut badge = vec!["interpolated".to_owned(), format!("{metric} metric")];
     match path.self_intersections {
         0 => {}
         1 => note.push_str(". 1 pair of faces intersects"),
         pairs => note.push_str(&format!(". {pairs} pairs of faces intersect")),
     }
-    if !path.converged {
+    if path.self_intersections > 0 {
+        badge.push("faces intersect".to_owned());
+    }
+    if path.fell_back {
+        note.push_str(
+            ". No path of less energy than the straight line was found, and that line is shown",
+        );
+        badge.push("straight line".to_owned());
+    } else if path.converged {
+        note.push_str(". The optimisation converged");
+    } else {
         note.push_str(". The optimisation ended before it reached its tolerance");
+        badge.push("not converged".to_owned());
     }
     BetweenWords {
         short: Some("interpolated"),
-        badge: Some(if path.self_intersections > 0 {
-            "interpolated, faces intersect"
-        } else {
-            "interpolated"
-        }),
+        badge: Some(badge.join(" · ").into()),
         note,
     }
 }
@@ -206,6 +222,7 @@ pub fn between_words(
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::analysis::metrics::{MetricKind, MetricParams};
     use crate::document::testing::subject_with_frames;
 
     /// Paths with `count` poses within every interval, on the straight line.
@@ -299,7 +316,9 @@ pub(crate) mod tests {
             BetweenWords::default()
         );
         let words = between_words(Some(motion), 0.25, "");
-        assert_eq!(words.badge, Some("interpolated"));
+        let by_metric = "interpolated · isometric metric";
+        assert_eq!(words.badge.as_deref(), Some(by_metric));
+        assert!(words.note.ends_with("The optimisation converged"));
         assert!(
             words
                 .note
@@ -307,12 +326,39 @@ pub(crate) mod tests {
         );
         let words = between_words(Some(motion), 1.5, "");
         assert!(
-            words.note.ends_with("2 pairs of faces intersect"),
+            words.note.contains("2 pairs of faces intersect"),
             "{}",
             words.note
         );
+        let wanted = format!("{by_metric} · faces intersect");
+        assert_eq!(words.badge, Some(wanted.into()));
         let words = between_words(None, 1.5, "Interpolated poses are off");
-        assert_eq!(words.badge, Some("linear interpolation"));
+        assert_eq!(words.badge.as_deref(), Some("linear interpolation"));
         assert!(words.note.ends_with("are off"));
+    }
+
+    #[test]
+    fn a_path_that_did_not_converge_says_so_with_its_metric() {
+        let subject = Arc::new(subject_with_frames("a", 3));
+        let params = GeodesicParams {
+            metric: MetricParams::of(MetricKind::QuasiConformal),
+            ..GeodesicParams::default()
+        };
+        let mut store = MotionMemo::default();
+        let mut paths = straight_paths(&subject, 1);
+        for (place, fell_back) in [false, true].into_iter().enumerate() {
+            paths[place] = Arc::new(GeodesicPath {
+                converged: false,
+                fell_back,
+                ..GeodesicPath::clone(&paths[place])
+            });
+        }
+        store.put(&subject, &params, 0, &paths);
+        let motion = store.get(&subject, &params).unwrap();
+        let badge = |position| between_words(Some(motion), position, "").badge.unwrap();
+        let metric = "interpolated · quasi-conformal metric";
+        assert_eq!(badge(0.5), format!("{metric} · not converged"));
+        assert_eq!(badge(1.5), format!("{metric} · straight line"));
+        assert_eq!(badge(2.5), metric);
     }
 }

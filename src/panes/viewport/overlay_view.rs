@@ -69,7 +69,7 @@ pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
     let moment = moment_words(state, tile.subject, tile.position, count);
     SubjectCaption {
         subtitle: words.chain(moment).collect::<Vec<_>>().join(" · "),
-        badge: caption.badge.or(between.badge.map(Cow::Borrowed)),
+        badge: caption.badge.or(between.badge),
         badge_note: between.note,
         ..caption
     }
@@ -134,7 +134,7 @@ fn beside_its_origin(
         title_end,
         subtitle: words.join(" · "),
         mark: mark_of(state, tile.subject),
-        badge: between.badge.map(Cow::Borrowed),
+        badge: between.badge,
         badge_note: between.note,
         leave: Some(leave),
         patch: note,

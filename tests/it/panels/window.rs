@@ -83,7 +83,7 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         title: example.rows[9].id.clone(),
         subtitle: "MINF · frame 3 of 8".to_owned(),
         mark: LabelMark::Label(0),
-        badge: Some("interpolated".into()),
+        badge: Some("interpolated · isometric metric".into()),
         badge_note: "3 poses between these frames".to_owned(),
         ..SubjectCaption::default()
     };

@@ -190,7 +190,7 @@ mod tests {
         SubjectCaption {
             title: "P03".to_owned(),
             subtitle: "abnormal · between frames 2 and 3".to_owned(),
-            badge: Some("interpolated".into()),
+            badge: Some("interpolated · isometric metric".into()),
             patch: Some(PatchNote {
                 heading: "1 abnormal patch · 9 % of the LV".to_owned(),
                 short: "patch 9 %".to_owned(),
@@ -210,7 +210,7 @@ mod tests {
             let all = [
                 rect("P03"),
                 rect("between frames"),
-                rect("interpolated"),
+                rect("interpolated · isometric metric"),
                 note,
             ];
             for (place, one) in all.iter().enumerate() {

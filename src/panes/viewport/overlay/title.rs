@@ -118,10 +118,15 @@ fn badge_ui(
     caption: &SubjectCaption,
 ) -> Option<Rect> {
     let colours = colours(ui);
+    let air = vec2(14.0, 6.0);
+    // Where the whole has no room, its first part says what the pose is.
+    let first = badge.split(" · ").next().unwrap_or(badge);
+    let whole = text_width(ui, badge, note_font()) + air.x <= inner.width();
+    let shown = if whole { badge } else { first };
     let galley = ui
         .painter()
-        .layout_no_wrap(badge.to_owned(), note_font(), colours.muted);
-    let size = galley.size() + vec2(14.0, 6.0);
+        .layout_no_wrap(shown.to_owned(), note_font(), colours.muted);
+    let size = galley.size() + air;
     let rect = free_place(taken, inner.right(), inner.top() + 6.0, size);
     if size.x > inner.width() {
         return None;
@@ -131,8 +136,12 @@ fn badge_ui(
         .galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
     let response = ui.interact(rect, ui.scope_id().with("badge"), egui::Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, badge));
-    if !caption.badge_note.is_empty() {
-        response.on_hover_text(&caption.badge_note);
+    let note = match (whole, caption.badge_note.as_str()) {
+        (true, note) => note.to_owned(),
+        (false, note) => format!("{badge}\n\n{note}"),
+    };
+    if !note.is_empty() {
+        response.on_hover_text(note);
     }
     Some(rect)
 }
