@@ -118,7 +118,8 @@ pub(super) static FORMATS: [Format; 7] = [
         extensions: &["vtp"],
         description: "VTK XML, with a .pvd per surface that lists its frames by time",
         often_other: false,
-        recognises: |head| head.text.starts_with(b"<?xml") || head.text.starts_with(b"<VTKFile"),
+        // Any XML may begin like this: pictures and pages do.
+        recognises: |head| head.text.starts_with(b"<") && contains(head.text, b"<VTKFile"),
         read: |source| read_vtp(source.bytes, source.limits),
         writer: Some(Writer {
             mesh: |mut out, mesh| write_vtp(&mut out, mesh, &[]),
@@ -133,7 +134,11 @@ pub(super) static FORMATS: [Format; 7] = [
         extensions: &["gltf", "glb"],
         description: "glTF 2, with morph targets as frames",
         often_other: false,
-        recognises: |head| head.bytes.starts_with(b"glTF") || head.text.starts_with(b"{"),
+        // Any JSON begins like this; the one object that every glTF file has may be its last.
+        recognises: |head| {
+            let json = || head.text.starts_with(b"{") && contains(head.bytes, b"\"asset\"");
+            head.bytes.starts_with(b"glTF") || json()
+        },
         read: |source| read_gltf(source.bytes, source.limits, source.sibling),
         writer: None,
     },
@@ -147,6 +152,10 @@ pub(super) static FORMATS: [Format; 7] = [
         writer: None,
     },
 ];
+
+fn contains(bytes: &[u8], words: &[u8]) -> bool {
+    bytes.windows(words.len()).any(|window| window == words)
+}
 
 /// Extensions of files that list the files of a sequence.
 pub(super) const SERIES_EXTENSIONS: [&str; 2] = ["pvd", "series"];
@@ -234,6 +243,34 @@ mod tests {
             assert!(format_of_extension(&extension.to_uppercase()).is_some());
         }
         assert!(format_of_extension("nii").is_none());
+    }
+
+    #[test]
+    fn other_xml_and_json_are_neither_vtp_nor_gltf() {
+        let drawing = b"<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
+        let settings = b"{\"theme\": \"dark\"}";
+        for content in [&drawing[..], settings] {
+            let read = |name: &str| {
+                let read = crate::io::read_mesh(name, content, &Limits::default());
+                read.unwrap_err().to_string()
+            };
+            let unknown = read("saved.data");
+            assert!(unknown.contains("not a mesh format"), "{unknown}");
+            // What is named as a mesh is refused as one of that format.
+            let obj = read("heart.obj");
+            assert!(!obj.contains("glTF") && !obj.contains("VTK"), "{obj}");
+        }
+        // By their content, whatever they are called.
+        let late = b"{\"scene\": 0, \"asset\": {\"version\": \"2.0\"}}";
+        let poly = b"<?xml version=\"1.0\"?>\n<!-- a comment -->\n<VTKFile type=\"PolyData\"/>";
+        for (content, name) in [(&late[..], "glTF"), (poly, "VTP")] {
+            let head = Head {
+                bytes: content,
+                text: content,
+            };
+            let found = FORMATS.iter().find(|format| (format.recognises)(&head));
+            assert_eq!(found.unwrap().name, name);
+        }
     }
 
     #[test]
