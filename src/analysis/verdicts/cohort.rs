@@ -163,7 +163,7 @@ impl Cohort {
         let of: Vec<usize> = (0..training_set.len())
             .filter(|&place| (0..kinds.len()).any(|kind| is(place, kind)))
             .collect();
-        let told = |place: usize| {
+        let most_probable = |place: usize| {
             let of = |kind: &usize| kinds[*kind].1.left_out.probabilities[place];
             // Of equals the first.
             (0..kinds.len())
@@ -173,7 +173,7 @@ impl Cohort {
         let count = |kind: usize| of.iter().filter(|&&place| is(place, kind)).count();
         Some(KindQuality {
             correct: (of.iter())
-                .filter(|&&place| told(place).is_some_and(|kind| is(place, kind)))
+                .filter(|&&place| most_probable(place).is_some_and(|kind| is(place, kind)))
                 .count(),
             of: of.len(),
             largest_kind: (0..kinds.len()).map(count).max()?,

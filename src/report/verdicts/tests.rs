@@ -69,10 +69,12 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         (Feature::NormalSpread, "normal_spread_rad"),
         (Feature::MeanPositionDistance, "gap_sizes"),
     ];
-    // Those of the whole heart stand behind what was there before them.
-    assert_eq!(columns.len(), 12 + names.len() + 1 + 14 + 5);
-    assert_eq!(&columns[12 + names.len()], "outside_range");
-    for (place, (feature, name)) in (12_usize..).zip(names) {
+    let listed = VerdictRow::COLUMNS.iter().map(|column| column.key);
+    assert_eq!(columns.iter().collect::<Vec<_>>(), listed.collect::<Vec<_>>());
+    // Features of the wall stand together, in the order of before; those of the whole heart were added behind them.
+    let first = columns.iter().position(|name| name == names[0].1).unwrap();
+    assert_eq!(&columns[first + names.len()], "outside_range");
+    for (place, (feature, name)) in (first..).zip(names) {
         assert_eq!(&columns[place], name);
         let value = features.get(feature).unwrap();
         assert_eq!(row[place].parse::<f64>().unwrap(), value, "{name}");
@@ -88,7 +90,7 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         "as in subjects.csv"
     );
     // Confidence and compactness of a round patch are both 1; all others differ.
-    let distinct: std::collections::HashSet<&str> = row.iter().skip(12).take(names.len()).collect();
+    let distinct: std::collections::HashSet<&str> = row.iter().skip(first).take(names.len()).collect();
     assert!(distinct.len() + 1 >= names.len(), "{row:?}");
 }
 

@@ -92,9 +92,9 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
             .iter_mut()
             .for_each(|normal| *normal = turn * *normal);
     }
-    let told = [(beat, found), measured(moved)].map(|heart| input(&heart).unwrap().features);
+    let features = [(beat, found), measured(moved)].map(|heart| input(&heart).unwrap().features);
     for feature in Feature::ALL {
-        let [a, b] = [0, 1].map(|subject: usize| told[subject].get(feature));
+        let [a, b] = [0, 1].map(|subject: usize| features[subject].get(feature));
         // Thickness is a length.
         let is_length = feature.unit() == FeatureUnit::Millimetres;
         let (Some(a), Some(b), false) = (a, b, is_length) else {

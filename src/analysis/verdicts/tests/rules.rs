@@ -161,7 +161,7 @@ fn without_labels_there_is_no_verdict_on_a_heart_without_a_wall() {
         found
             .subjects
             .iter()
-            .all(|told| *told == Err(reason.clone()))
+            .all(|assessed| *assessed == Err(reason.clone()))
     );
 }
 
@@ -184,14 +184,14 @@ fn a_rule_says_of_a_subject_that_it_has_not_seen_what_its_study_says() {
     };
     let read = read.check("walls").unwrap();
     let by_rule = classified_by(&alone, &read);
-    let (own, told) = (classified(&study), of(&by_rule, 0));
-    assert!((told.probability - of(&own, 24).probability).abs() < 1e-12);
+    let (own, verdict) = (classified(&study), of(&by_rule, 0));
+    assert!((verdict.probability - of(&own, 24).probability).abs() < 1e-12);
     assert_eq!(
-        (&told.kinds, &told.reasons),
+        (&verdict.kinds, &verdict.reasons),
         (&of(&own, 24).kinds, &of(&own, 24).reasons)
     );
-    assert!(told.outside.is_empty(), "{:?}", told.outside);
-    assert!(told.training_set_distance.unwrap().as_far > 0.05);
+    assert!(verdict.outside.is_empty(), "{:?}", verdict.outside);
+    assert!(verdict.training_set_distance.unwrap().as_far > 0.05);
     assert_eq!(
         by_rule.classifier,
         ClassifierSource::Rule(RuleSource {
@@ -333,9 +333,9 @@ fn a_rule_of_some_features_reads_no_others() {
         let mut read = verdict.reasons.iter().map(|reason| reason.feature);
         assert!(read.all(|feature| features.contains(&feature)));
     }
-    let wrong = (study.subjects.iter().zip(&found.subjects)).filter(|(subject, told)| {
+    let wrong = (study.subjects.iter().zip(&found.subjects)).filter(|(subject, verdict)| {
         let label = subject.label.as_deref();
-        label.is_some() && told.as_ref().unwrap().abnormal != (label != Some("NOR"))
+        label.is_some() && verdict.as_ref().unwrap().abnormal != (label != Some("NOR"))
     });
     assert!(wrong.count() <= 2);
     // Without height and weight two of three are unknown, which were known of everybody.
@@ -343,8 +343,8 @@ fn a_rule_of_some_features_reads_no_others() {
         subjects: vec![cavity(0, None, 0.7, 0.0, 2)],
         ..Study::default()
     };
-    let told = &classified_by(&alone, &rule).subjects[0];
-    let why = told.as_ref().unwrap_err().to_string();
+    let assessed = &classified_by(&alone, &rule).subjects[0];
+    let why = assessed.as_ref().unwrap_err().to_string();
     assert!(
         why.ends_with("not known of this subject: EDV index, ESV index"),
         "{why}"
