@@ -248,11 +248,11 @@ impl App {
                     self.queue.push(FileCommand::Open(study).into());
                 }
             }
-            Effect::ChooseRule => files.ask_for_rule(&exporting),
-            Effect::ExportRule(path) => files.ask_to_save_rule(&mut exporting, path),
-            Effect::ReadRule { rule, then } => {
+            Effect::ChooseClassifier => files.ask_for_classifier(&exporting),
+            Effect::ExportClassifier(path) => files.ask_to_save_classifier(&mut exporting, path),
+            Effect::ReadClassifier { rule, then } => {
                 let next = (then.as_deref()).is_some_and(|then| !matches!(then, Effect::Add(_)));
-                files.read_rule(exporting.state, exporting.engine, rule, next);
+                files.read_classifier(exporting.state, exporting.engine, rule, next);
                 if let Some(then) = then {
                     self.perform(ctx, *then);
                 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::engine::{Engine, OpenSource};
-use crate::panes::{Command, FileCommand, Pane, RuleCommand, spec_of};
+use crate::panes::{ClassifierCommand, Command, FileCommand, Pane, spec_of};
 use crate::picture::Quantity;
 use crate::picture::plot::PlotFigure;
 use crate::study::Subject;
@@ -12,9 +12,9 @@ use crate::study::Subject;
 use super::dialogs::Dialogs;
 use super::errors::push_card;
 use super::export::{FigureColours, FigureExport, FigureKind, NoFigure, TableExport};
-use super::plot_export::PlotExport;
+use super::opened_classifiers::{ClassifierExport, OpenedClassifiers, split_classifier};
 use super::path_question::{AskPaths, PathQuestion};
-use super::rules::{RuleExport, Rules, split_rule};
+use super::plot_export::PlotExport;
 use super::saved_views::{SavedViews, split_picture};
 use super::settings::remember_recent;
 use super::study_export::write_study_into;
@@ -99,7 +99,7 @@ impl Exporting<'_> {
 pub struct ChosenFiles {
     dialogs: Dialogs,
     saved_views: SavedViews,
-    rules: Rules,
+    rules: OpenedClassifiers,
     waiting_figures: Vec<WantedFigure>,
     /// The document that the store was asked for last.
     answered: Document,
@@ -111,7 +111,7 @@ impl ChosenFiles {
         Self {
             dialogs: Dialogs::new(ask_paths),
             saved_views: SavedViews::default(),
-            rules: Rules::default(),
+            rules: OpenedClassifiers::default(),
             waiting_figures: Vec::new(),
             answered: State::default().document,
         }
@@ -127,10 +127,10 @@ impl ChosenFiles {
         let OpenSource::Paths(paths) = source else {
             return engine.open(source);
         };
-        let (rule, paths) = split_rule(paths);
+        let (rule, paths) = split_classifier(paths);
         let alone = rule.is_some() && paths.is_empty();
         if let Some(rule) = rule {
-            self.read_rule(state, engine, rule, true);
+            self.read_classifier(state, engine, rule, true);
         }
         if alone {
             return engine.open(OpenSource::BuiltIn(state.built_in));
@@ -202,7 +202,7 @@ impl ChosenFiles {
     }
 
     /// Asks which classifier to open, for the study on screen.
-    pub fn ask_for_rule(&mut self, exporting: &Exporting<'_>) {
+    pub fn ask_for_classifier(&mut self, exporting: &Exporting<'_>) {
         let opening = exporting.state.document.study.opening;
         let open = move |state: &mut State, _: &mut Engine, mut paths: Vec<PathBuf>| {
             let same = state.document.study.opening == opening;
@@ -210,20 +210,20 @@ impl ChosenFiles {
                 let why = "another study was opened before it was chosen";
                 push_card(&mut state.errors, "No classifier was opened", why);
             }
-            same.then(|| RuleCommand::Open(paths.swap_remove(0)).into())
+            same.then(|| ClassifierCommand::Open(paths.swap_remove(0)).into())
         };
-        let question = PathQuestion::OpenRule;
+        let question = PathQuestion::OpenClassifier;
         self.dialogs.ask(exporting.engine, question, Box::new(open));
     }
 
     /// Begins to read a classifier; `next` says whether it is for a study that was named with it.
-    pub fn read_rule(&mut self, state: &State, engine: &Engine, rule: PathBuf, next: bool) {
+    pub fn read_classifier(&mut self, state: &State, engine: &Engine, rule: PathBuf, next: bool) {
         self.rules.read(state, engine, rule, next);
     }
 
     /// Fixes on what a classifier is trained at the moment it is asked for, then asks where it goes if that is not known.
-    pub fn ask_to_save_rule(&mut self, exporting: &mut Exporting<'_>, path: Option<PathBuf>) {
-        let rule = RuleExport::now(exporting.state);
+    pub fn ask_to_save_classifier(&mut self, exporting: &mut Exporting<'_>, path: Option<PathBuf>) {
+        let rule = ClassifierExport::now(exporting.state);
         if let Some(path) = path {
             return rule.write(exporting.engine, path);
         }
@@ -231,7 +231,7 @@ impl ChosenFiles {
             rule.write(engine, paths.swap_remove(0));
             None
         };
-        let question = PathQuestion::SaveRule;
+        let question = PathQuestion::SaveClassifier;
         self.dialogs
             .ask(exporting.engine, question, Box::new(write));
     }

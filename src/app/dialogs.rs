@@ -124,8 +124,8 @@ pub fn system_dialogs() -> AskPaths {
                 .add_filter("All files", &["*"])
                 .pick_files(),
             PathQuestion::OpenFolders => dialog.pick_folders(),
-            PathQuestion::OpenRule => one(rules(dialog).pick_file()),
-            PathQuestion::SaveRule => {
+            PathQuestion::OpenClassifier => one(rules(dialog).pick_file()),
+            PathQuestion::SaveClassifier => {
                 one(rules(dialog.set_file_name(question.suggested())).save_file())
             }
             PathQuestion::SaveFigure { suggested, .. } => one(dialog

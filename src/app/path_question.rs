@@ -15,9 +15,9 @@ pub enum PathQuestion {
     /// Folders to open.
     OpenFolders,
     /// The file of a classifier to open.
-    OpenRule,
+    OpenClassifier,
     /// A new file for a classifier.
-    SaveRule,
+    SaveClassifier,
     /// A new file for a figure.
     SaveFigure {
         /// What the dialog is called.
@@ -37,8 +37,8 @@ impl PathQuestion {
         match self {
             Self::OpenFiles => "Open meshes or a study",
             Self::OpenFolders => "Open a folder of meshes",
-            Self::OpenRule => "Open a classifier",
-            Self::SaveRule => "Save a classifier trained on the study",
+            Self::OpenClassifier => "Open a classifier",
+            Self::SaveClassifier => "Save a classifier trained on the study",
             Self::SaveFigure { title, .. } => title,
             Self::SaveTables => "Save all tables into a folder",
             Self::SaveStudy => "Save the study into an empty folder",
@@ -48,8 +48,10 @@ impl PathQuestion {
     /// What its button says.
     pub fn verb(&self) -> &'static str {
         match self {
-            Self::OpenFiles | Self::OpenFolders | Self::OpenRule => "Open",
-            Self::SaveFigure { .. } | Self::SaveTables | Self::SaveStudy | Self::SaveRule => "Save",
+            Self::OpenFiles | Self::OpenFolders | Self::OpenClassifier => "Open",
+            Self::SaveFigure { .. } | Self::SaveTables | Self::SaveStudy | Self::SaveClassifier => {
+                "Save"
+            }
         }
     }
 
@@ -59,8 +61,8 @@ impl PathQuestion {
             Self::SaveFigure { suggested, .. } => suggested,
             Self::SaveTables => "cardiomorph-tables",
             Self::SaveStudy => "cardiomorph-study",
-            Self::SaveRule => "classifier.json",
-            Self::OpenFiles | Self::OpenFolders | Self::OpenRule => "",
+            Self::SaveClassifier => "classifier.json",
+            Self::OpenFiles | Self::OpenFolders | Self::OpenClassifier => "",
         }
     }
 }

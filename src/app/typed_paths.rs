@@ -7,8 +7,8 @@ use crate::document::state::State;
 use crate::engine::{CompletedPath, Engine, Job, completed_path, typed_path};
 use crate::picture::page::PageFormat;
 
+use super::opened_classifiers::with_json_ending;
 use super::path_question::{PathQuestion, Then};
-use super::rules::with_json_ending;
 
 /// What became of what was typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,7 +56,10 @@ impl TypedPaths {
     /// Completes the last name of a path.
     pub fn complete(&mut self, engine: &Engine, text: String) {
         if let Some((question, _)) = &self.open {
-            let files = matches!(question, PathQuestion::OpenFiles | PathQuestion::OpenRule);
+            let files = matches!(
+                question,
+                PathQuestion::OpenFiles | PathQuestion::OpenClassifier
+            );
             let work = move |_: &_| Ok(Reply::Completed(completed_path(&text, files)));
             self.work = Some(engine.spawn_aside(work));
         }
@@ -127,27 +130,27 @@ fn checked(question: &PathQuestion, text: &str, replace: bool) -> Result<Reply, 
     let shown = path.display();
     let lies_there = |words: String| Ok(Reply::Replaces(text.to_owned(), words));
     match question {
-        PathQuestion::OpenFiles | PathQuestion::OpenFolders | PathQuestion::OpenRule => {
+        PathQuestion::OpenFiles | PathQuestion::OpenFolders | PathQuestion::OpenClassifier => {
             if !path.exists() {
                 return Err(format!("there is no such file or folder: {shown}"));
             }
-            if *question == PathQuestion::OpenRule && path.is_dir() {
+            if *question == PathQuestion::OpenClassifier && path.is_dir() {
                 return Err(format!("this is a folder, not a file: {shown}"));
             }
             if *question == PathQuestion::OpenFolders && !path.is_dir() {
                 return Err(format!("this is a file, not a folder: {shown}"));
             }
         }
-        PathQuestion::SaveFigure { .. } | PathQuestion::SaveRule => {
+        PathQuestion::SaveFigure { .. } | PathQuestion::SaveClassifier => {
             if path.is_dir() {
                 return Err(format!("this is a folder; a name is missing: {shown}"));
             }
-            let is_rule = *question == PathQuestion::SaveRule;
-            let path = match is_rule {
+            let is_classifier = *question == PathQuestion::SaveClassifier;
+            let path = match is_classifier {
                 true => with_json_ending(path),
                 false => with_png_ending(path),
             };
-            if !is_rule && PageFormat::of(&path).is_none() {
+            if !is_classifier && PageFormat::of(&path).is_none() {
                 return Err("the name must end in .png, .svg or .pdf".to_owned());
             }
             check_parent(&path)?;
@@ -219,8 +222,8 @@ mod tests {
                 "no such file or folder",
             ),
             (&PathQuestion::OpenFolders, "old.txt", "not a folder"),
-            (&PathQuestion::OpenRule, "tables", "not a file"),
-            (&PathQuestion::SaveRule, "none/rule", "no such folder"),
+            (&PathQuestion::OpenClassifier, "tables", "not a file"),
+            (&PathQuestion::SaveClassifier, "none/rule", "no such folder"),
         ] {
             let refused = checked(question, &format!("{at}{name}"), false).unwrap_err();
             assert!(refused.contains(words), "{name}: {refused}");

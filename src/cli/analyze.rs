@@ -15,7 +15,8 @@ use crate::cli::print::{on_one_line, print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisTables, ResultFolder, TableSettings, Unassessed, VerdictQuery, columns_file, read_rule,
+    AnalysisTables, ResultFolder, TableSettings, Unassessed, VerdictQuery, columns_file,
+    read_classifier,
 };
 use crate::study::Study;
 
@@ -39,7 +40,8 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
     let method = (args.maps.isomap).map_or_else(MapMethod::default, |neighbours| {
         MapMethod::Isomap { neighbours }
     });
-    let rule = (args.rule.as_deref().map(read_rule).transpose()).map_err(CliError::Unusable)?;
+    let rule =
+        (args.rule.as_deref().map(read_classifier).transpose()).map_err(CliError::Unusable)?;
     let settings = TableSettings {
         deformations: args.maps.settings(&args.metric, method, &study)?,
         verdicts: VerdictQuery {

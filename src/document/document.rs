@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
-use crate::analysis::verdicts::CheckedRule;
+use crate::analysis::verdicts::CheckedClassifier;
 use crate::document::ViewMode;
 use crate::document::cohort_sort::CohortSort;
 use crate::engine::{ClassesBy, PoseMapQuery, ThickeningSettings};
@@ -67,7 +67,7 @@ pub struct Document {
     /// What is akinetic, and what is a patch.
     pub thickening: ThickeningSettings,
     /// The classifier from a file that makes the verdicts, in the place of the labels of the study.
-    pub rule: Option<Arc<CheckedRule>>,
+    pub rule: Option<Arc<CheckedClassifier>>,
     /// The patch or segment that is selected.
     pub part: Option<WallPart>,
     /// What the bull's-eye shows.

@@ -52,7 +52,7 @@ mod tests {
                 similar_abnormal: Vec::new(),
                 training_set_distance: None,
                 wall: true,
-                kinds: Vec::new(),
+                labels: Vec::new(),
                 reasons: Vec::new(),
                 outside: Vec::new(),
             }),

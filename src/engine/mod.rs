@@ -6,6 +6,7 @@
 //! read and write files. [`AnalysisTables`] asks for everything that `analyze` writes.
 
 mod activity;
+mod classifier_file;
 #[expect(
     clippy::module_inception,
     reason = "the room's main type carries the room's name"
@@ -21,7 +22,6 @@ mod private_file;
 mod queries;
 mod reading_limits;
 mod result_folder;
-mod rule_file;
 mod stages;
 mod store;
 mod tables;
@@ -32,6 +32,7 @@ mod workers;
 
 pub use crate::io::mesh_format_names;
 pub use activity::{Activity, ActivityLog, ActivityState, Topic};
+pub use classifier_file::{classifier_file, read_classifier};
 pub use engine::{Engine, ExportError};
 pub use export::{ExportFile, FileBytes, PassingFile, write_files};
 pub use file_names::{file_name, file_names};
@@ -41,7 +42,6 @@ pub use private_file::make_private;
 pub use queries::*;
 pub use reading_limits::{configure_limits, reading_limits};
 pub use result_folder::{ResultFolder, replace_results};
-pub use rule_file::{read_rule, rule_file};
 pub use stages::Stage;
 pub use store::{
     Answered, Context, Dependencies, FailedWork, Interrupted, Memory, Query, SharedError, Showing,

@@ -4,8 +4,8 @@ use std::mem::discriminant;
 
 use crate::document::State;
 use crate::panes::commands::{
-    Command, EditCommand, FileCommand, MapCommand, Pane, Phase, PhaseFrame, PlaybackCommand,
-    RuleCommand, TransportCommand, ViewCommand, WallCommand, Whose, WindowCommand,
+    ClassifierCommand, Command, EditCommand, FileCommand, MapCommand, Pane, Phase, PhaseFrame,
+    PlaybackCommand, TransportCommand, ViewCommand, WallCommand, Whose, WindowCommand,
 };
 use crate::picture::Quantity;
 use crate::study::Subject;
@@ -56,8 +56,8 @@ impl ActionState<'_> {
             | Command::Window(WindowCommand::ToggleAbout)
             | Command::Window(WindowCommand::ToggleFullScreen)
             | Command::File(FileCommand::Quit) => true,
-            Command::Rule(RuleCommand::Forget) => document.rule.is_some(),
-            Command::Rule(RuleCommand::Export(_))
+            Command::Classifier(ClassifierCommand::Forget) => document.rule.is_some(),
+            Command::Classifier(ClassifierCommand::Export(_))
             | Command::File(FileCommand::ExportStudy(_) | FileCommand::ChooseFilesToAdd)
             | Command::File(FileCommand::ChooseFolderToAdd) => {
                 !document.study().subjects.is_empty() && document.study().unread.is_empty()

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::analysis::verdicts::{ClassifierSource, RuleSource, VerdictParams, Verdicts};
+use crate::analysis::verdicts::{AppliedClassifier, ClassifierSource, VerdictParams, Verdicts};
 
 /// `rule` is `"learnt"` for a classifier trained on the labelled subjects, `"file"` for a rule that was learnt on another study,
 /// `"built-in"` for the one that ships with the program, where they
@@ -11,17 +11,17 @@ use crate::analysis::verdicts::{ClassifierSource, RuleSource, VerdictParams, Ver
 pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
     let (source, normal, abnormal) = match &verdicts.classifier {
         ClassifierSource::Cohort { normal, abnormal } => ("learnt", normal, abnormal),
-        ClassifierSource::Rule(RuleSource {
+        ClassifierSource::OtherStudy(AppliedClassifier {
             labelled: Some([normal, abnormal]),
             ..
         }) => ("built-in", normal, abnormal),
-        ClassifierSource::Rule(RuleSource {
+        ClassifierSource::OtherStudy(AppliedClassifier {
             normal, abnormal, ..
         }) => ("file", normal, abnormal),
     };
     let source_json = match &verdicts.classifier {
         ClassifierSource::Cohort { .. } => Value::Null,
-        ClassifierSource::Rule(rule) => json!({
+        ClassifierSource::OtherStudy(rule) => json!({
             "name": rule.name,
             "study": rule.study,
             "normal": rule.normal,
@@ -57,10 +57,10 @@ pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
             "auc": quality.auc,
             "auc_chance": quality.auc_baseline,
             "auc_p_value": quality.auc_p_value,
-            "kinds": quality.kinds.map(|kinds| json!({
-                "correct": kinds.correct,
-                "of": kinds.of,
-                "largest_kind": kinds.largest_kind,
+            "kinds": quality.labels.map(|labels| json!({
+                "correct": labels.correct,
+                "of": labels.of,
+                "largest_kind": labels.largest_label,
             })),
         })),
         "assessed": assessed().count(),

@@ -109,8 +109,8 @@ impl VerdictRow {
         let outside: Vec<&str> = (verdict.outside.iter())
             .map(|feature| feature.name())
             .collect();
-        let kinds = (verdict.kinds.iter())
-            .map(|kind| format!("{} {:.3}", kind.label, kind.probability))
+        let kinds = (verdict.labels.iter())
+            .map(|label| format!("{} {:.3}", label.label, label.probability))
             .collect::<Vec<_>>();
         let reasons = (verdict.reasons.iter())
             .map(|reason| format!("{} {:+.2}", reason.feature.name(), reason.log_odds))
@@ -121,8 +121,8 @@ impl VerdictRow {
             probability: Some(verdict.probability),
             finding: Some(verdict.words()),
             calibrated: Some(true),
-            kind: verdict.kinds.first().map(|kind| kind.label.clone()),
-            kind_probability: verdict.kinds.first().map(|kind| kind.probability),
+            kind: verdict.labels.first().map(|label| label.label.clone()),
+            kind_probability: verdict.labels.first().map(|label| label.probability),
             kinds: kinds.join("; "),
             reasons: reasons.join("; "),
             outside_training: outside.join("; "),

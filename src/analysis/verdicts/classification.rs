@@ -3,12 +3,12 @@
 use crate::analysis::measures::EF_RANGE;
 use crate::analysis::thickening::WallThickening;
 
-use super::checked_rule::CheckedRule;
+use super::checked_classifier::CheckedClassifier;
 use super::classifier::Model;
 use super::cohort::{Cohort, Trained};
 use super::feature::Feature;
 use super::features::Features;
-use super::result::{Examined, Finding, Kind, Reason, Verdict};
+use super::result::{Examined, Finding, LabelProbability, Reason, Verdict};
 use super::similarity::{nearest_distances, nearest_rows, training_set_distance};
 
 /// [`Feature::UpperRange`] below which an abnormal subject's hypokinesia is global: it is above in all 20 normal subjects, as in
@@ -24,14 +24,18 @@ pub(super) struct Classification<'a> {
     cohort: &'a Cohort,
     trained: &'a Trained,
     /// Where it comes from, if not from this study.
-    rule: Option<&'a CheckedRule>,
+    rule: Option<&'a CheckedClassifier>,
     /// Standardised rows; empty where not assessed.
     standardised: Vec<Vec<f64>>,
     nearest_distances: Vec<f64>,
 }
 
 impl<'a> Classification<'a> {
-    pub fn new(cohort: &'a Cohort, trained: &'a Trained, rule: Option<&'a CheckedRule>) -> Self {
+    pub fn new(
+        cohort: &'a Cohort,
+        trained: &'a Trained,
+        rule: Option<&'a CheckedClassifier>,
+    ) -> Self {
         let design = &trained.abnormal.classifier.design;
         // In standard deviations, or the feature of the largest numbers would decide who is similar.
         let standardised: Vec<Vec<f64>> = (cohort.rows.iter())
@@ -71,21 +75,21 @@ impl<'a> Classification<'a> {
         self.trained.training_set.binary_search(&first).ok()
     }
 
-    /// The kinds, the most probable first.
-    fn kinds(&self, index: usize) -> Vec<Kind> {
-        let mut kinds: Vec<Kind> = (self.trained.kinds.iter())
-            .map(|(label, model)| Kind {
+    /// Labels with their probabilities, the most probable first.
+    fn labels(&self, index: usize) -> Vec<LabelProbability> {
+        let mut labels: Vec<LabelProbability> = (self.trained.label_models.iter())
+            .map(|(label, model)| LabelProbability {
                 label: label.clone(),
                 probability: self.probability_by(model, index),
             })
             .collect();
-        let sum: f64 = kinds.iter().map(|kind| kind.probability).sum();
-        for kind in &mut kinds {
+        let sum: f64 = labels.iter().map(|label| label.probability).sum();
+        for label in &mut labels {
             // Each is one against the rest: nothing else makes their sum 1.
-            kind.probability /= sum.max(f64::MIN_POSITIVE);
+            label.probability /= sum.max(f64::MIN_POSITIVE);
         }
-        kinds.sort_by(|a, b| b.probability.total_cmp(&a.probability));
-        kinds
+        labels.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+        labels
     }
 
     /// The features of a subject that speak most for what it is called.
@@ -128,7 +132,7 @@ impl<'a> Classification<'a> {
                 (true, finding) => finding,
             },
             wall: subject.wall_thickening.is_some(),
-            kinds: self.kinds(index),
+            labels: self.labels(index),
             reasons: self.reasons(index, abnormal),
             outside: (self.rule)
                 .map_or_else(Vec::new, |rule| rule.outside(&self.cohort.rows[index])),

@@ -14,7 +14,7 @@ use crate::study::{LabelClass, Study, plain_label};
 
 use super::classifier::{LeftOut, Model, Row, leave_one_out};
 use super::params::CheckedVerdictParams;
-use super::result::{ClassifierQuality, Examined, KindQuality, NotAssessed};
+use super::result::{ClassifierQuality, Examined, LabelQuality, NotAssessed};
 use super::score::auc;
 
 /// The subjects that can be classified, and which of them have labels that count.
@@ -36,16 +36,16 @@ pub(super) struct Cohort {
 pub(super) struct Trained {
     /// Abnormal or not.
     pub abnormal: Model,
-    /// One kind against the rest, for each label with enough subjects; empty where that is the same question.
-    pub kinds: Vec<(String, Model)>,
+    /// One label against the rest, for each label with enough subjects; empty where that is the same question.
+    pub label_models: Vec<(String, Model)>,
     /// Subjects of the training set, ascending.
     pub training_set: Vec<usize>,
     /// `None` of a rule, which has none of the subjects that it was learnt on.
     pub quality: Option<ClassifierQuality>,
 }
 
-/// Fewest kinds: between two there is nothing to tell but normal and abnormal.
-const MIN_KINDS: usize = 3;
+/// Fewest labels: between two there is nothing to tell but normal and abnormal.
+const MIN_LABELS: usize = 3;
 
 impl Cohort {
     pub fn new(study: &Study, examined: &[Result<Examined, NotAssessed>]) -> Self {
@@ -104,20 +104,20 @@ impl Cohort {
             .map(|index| self.abnormal.binary_search(index).is_ok())
             .collect();
         let abnormal = Model::new(&rows, &labels, progress)?;
-        let kinds = self.kinds(&rows, &training_set, min_count, progress)?;
+        let label_models = self.label_models(&rows, &training_set, min_count, progress)?;
         progress.step()?;
         let mut quality = quality(&rows, &labels, &abnormal.left_out, params, progress)?;
-        quality.kinds = self.kind_quality(&kinds, &training_set);
+        quality.labels = self.label_quality(&label_models, &training_set);
         Ok(Some(Trained {
             abnormal,
-            kinds,
+            label_models,
             training_set,
             quality: Some(quality),
         }))
     }
 
     /// A model for each label that enough subjects of the training set have.
-    fn kinds(
+    fn label_models(
         &self,
         rows: &[&Row],
         training_set: &[usize],
@@ -140,7 +140,7 @@ impl Cohort {
             own.iter().map(|own| *own == label).collect()
         };
         labels.retain(|label| positive(label).iter().filter(|own| **own).count() >= min_count);
-        if labels.len() < MIN_KINDS {
+        if labels.len() < MIN_LABELS {
             return Ok(Vec::new());
         }
         (labels.into_iter())
@@ -151,32 +151,32 @@ impl Cohort {
             .collect()
     }
 
-    fn kind_quality(
+    fn label_quality(
         &self,
-        kinds: &[(String, Model)],
+        label_models: &[(String, Model)],
         training_set: &[usize],
-    ) -> Option<KindQuality> {
-        let is = |place: usize, kind: usize| {
+    ) -> Option<LabelQuality> {
+        let is = |place: usize, model: usize| {
             let own = self.labels[training_set[place]].as_deref().map(plain_label);
-            own == Some(plain_label(&kinds[kind].0))
+            own == Some(plain_label(&label_models[model].0))
         };
         let of: Vec<usize> = (0..training_set.len())
-            .filter(|&place| (0..kinds.len()).any(|kind| is(place, kind)))
+            .filter(|&place| (0..label_models.len()).any(|model| is(place, model)))
             .collect();
-        let most_probable = |place: usize| {
-            let of = |kind: &usize| kinds[*kind].1.left_out.probabilities[place];
+        let predicted = |place: usize| {
+            let of = |model: &usize| label_models[*model].1.left_out.probabilities[place];
             // Of equals the first.
-            (0..kinds.len())
+            (0..label_models.len())
                 .rev()
                 .max_by(|a, b| of(a).total_cmp(&of(b)))
         };
-        let count = |kind: usize| of.iter().filter(|&&place| is(place, kind)).count();
-        Some(KindQuality {
+        let count = |model: usize| of.iter().filter(|&&place| is(place, model)).count();
+        Some(LabelQuality {
             correct: (of.iter())
-                .filter(|&&place| most_probable(place).is_some_and(|kind| is(place, kind)))
+                .filter(|&&place| predicted(place).is_some_and(|model| is(place, model)))
                 .count(),
             of: of.len(),
-            largest_kind: (0..kinds.len()).map(count).max()?,
+            largest_label: (0..label_models.len()).map(count).max()?,
         })
     }
 }
@@ -243,6 +243,6 @@ fn quality(
         auc: area,
         auc_baseline: permuted.iter().map(|(_, area)| area).sum::<f64>() / count,
         auc_p_value: at_least(&|found| found.1 >= area),
-        kinds: None,
+        labels: None,
     })
 }

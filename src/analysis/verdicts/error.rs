@@ -10,7 +10,7 @@ pub enum VerdictError {
     Stopped(#[from] Stopped),
     /// The rule that ships with the program cannot be read.
     #[error("the built-in classifier cannot be used: {0}")]
-    BuiltIn(#[from] RuleError),
+    BuiltIn(#[from] ClassifierError),
     /// Thickening and subjects are not of the same subjects.
     #[error("thickening of {examined} subjects does not belong to {subjects} subjects")]
     Count {
@@ -46,7 +46,7 @@ pub enum LearnError {
 
 /// Why a rule cannot be applied.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum RuleError {
+pub enum ClassifierError {
     /// Its text is that of none.
     #[error("{0}")]
     Text(String),

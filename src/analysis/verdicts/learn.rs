@@ -3,17 +3,18 @@
 use crate::progress::Progress;
 use crate::study::Study;
 
-use super::checked_rule::{is_wall, vertex_count};
+use super::checked_classifier::{is_wall, vertex_count};
 use super::classifier::Model;
+use super::classifier_file::{
+    ClassifierFeature, ClassifierFile, ClassifierLabel, ClassifierMeshes, ClassifierModel,
+    ClassifierOrigin, ClassifierTraining, FORMAT, VERSION,
+};
 use super::cohort::Cohort;
 use super::design::{Design, Standard};
 use super::error::{LearnError, VerdictError};
 use super::feature::Feature;
 use super::params::CheckedVerdictParams;
 use super::result::{ClassifierQuality, Examined, NotAssessed};
-use super::rule::{
-    FORMAT, Rule, RuleFeature, RuleKind, RuleMeshes, RuleModel, RuleOrigin, RuleTraining, VERSION,
-};
 use super::similarity::{distance_from_mean, quantiles};
 use super::whole_heart::with_whole_hearts;
 
@@ -28,7 +29,7 @@ pub fn learn(
     params: &CheckedVerdictParams,
     features: &[Feature],
     progress: &Progress,
-) -> Result<Rule, LearnError> {
+) -> Result<ClassifierFile, LearnError> {
     let reads: Vec<usize> = (Feature::MODEL_FEATURES.iter().enumerate())
         .filter(|(_, feature)| features.contains(feature))
         .map(|(j, _)| j)
@@ -55,15 +56,15 @@ pub fn learn(
     let rows = || (trained.training_set.iter()).map(|&index| &cohort.rows[index]);
     let subjects = || (trained.training_set.iter()).map(|&index| &*study.subjects[index]);
     let design = &trained.abnormal.classifier.design;
-    let listed: Vec<RuleFeature> = (reads.iter())
+    let listed: Vec<ClassifierFeature> = (reads.iter())
         .map(|&j| feature(design, j, range(rows().filter_map(|row| row[j]))))
         .collect();
     let columns = reads.len() + design.flags.len();
     let distances = rows().map(|row| distance_from_mean(&design.of(row), columns));
-    Ok(Rule {
+    Ok(ClassifierFile {
         format: FORMAT.to_owned(),
         version: VERSION,
-        origin: RuleOrigin {
+        origin: ClassifierOrigin {
             study: study.name.clone(),
             normal: study.label_classes.normal.clone(),
             abnormal: study.label_classes.abnormal.clone(),
@@ -71,7 +72,7 @@ pub fn learn(
             note: String::new(),
         },
         training: training(trained.quality.as_ref(), normal, abnormal),
-        meshes: RuleMeshes {
+        meshes: ClassifierMeshes {
             walls: subjects().all(is_wall),
             vertices: range(subjects().map(vertex_count)).unwrap_or_default(),
             poses: range(subjects().map(|s| s.sequence.frame_count())).unwrap_or_default(),
@@ -79,10 +80,10 @@ pub fn learn(
         features: listed,
         distances: quantiles(distances.collect()),
         abnormal: model(&trained.abnormal, &reads),
-        kinds: (trained.kinds.iter())
-            .map(|(label, kind)| RuleKind {
+        labels: (trained.label_models.iter())
+            .map(|(label, of_label)| ClassifierLabel {
                 label: label.clone(),
-                model: model(kind, &reads),
+                model: model(of_label, &reads),
             })
             .collect(),
     })
@@ -98,24 +99,28 @@ fn range<T: PartialOrd + Copy>(values: impl Iterator<Item = T>) -> Option<[T; 2]
     })
 }
 
-fn training(quality: Option<&ClassifierQuality>, normal: usize, abnormal: usize) -> RuleTraining {
-    RuleTraining {
+fn training(
+    quality: Option<&ClassifierQuality>,
+    normal: usize,
+    abnormal: usize,
+) -> ClassifierTraining {
+    ClassifierTraining {
         normal,
         abnormal,
         accuracy: quality.map(|quality| quality.accuracy.share()),
         auc: quality.map(|quality| quality.auc),
         false_positives: quality.map(|quality| quality.false_positives),
         false_negatives: quality.map(|quality| quality.false_negatives),
-        kind_accuracy: (quality.and_then(|quality| quality.kinds))
-            .map(|kinds| kinds.correct as f64 / kinds.of as f64),
+        label_accuracy: (quality.and_then(|quality| quality.labels))
+            .map(|labels| labels.correct as f64 / labels.of as f64),
     }
 }
 
-fn feature(design: &Design, j: usize, range: Option<[f64; 2]>) -> RuleFeature {
+fn feature(design: &Design, j: usize, range: Option<[f64; 2]>) -> ClassifierFeature {
     let Standard { means, deviations } = &design.standard;
     let feature = Feature::MODEL_FEATURES[j];
     let count = Feature::MODEL_FEATURES.len();
-    RuleFeature {
+    ClassifierFeature {
         name: feature.name().to_owned(),
         unit: feature.unit().symbol().to_owned(),
         range,
@@ -127,10 +132,10 @@ fn feature(design: &Design, j: usize, range: Option<[f64; 2]>) -> RuleFeature {
     }
 }
 
-fn model(model: &Model, reads: &[usize]) -> RuleModel {
+fn model(model: &Model, reads: &[usize]) -> ClassifierModel {
     let coefficients = &model.classifier.coefficients;
     let (weights, absences) = coefficients[1..].split_at(Feature::MODEL_FEATURES.len());
-    RuleModel {
+    ClassifierModel {
         penalty: model.classifier.ridge,
         intercept: coefficients[0],
         weights: reads.iter().map(|&j| weights[j]).collect(),

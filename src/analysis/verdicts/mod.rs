@@ -2,9 +2,10 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.7.
 
-mod checked_rule;
+mod checked_classifier;
 mod classification;
 mod classifier;
+mod classifier_file;
 mod cohort;
 mod design;
 mod error;
@@ -14,7 +15,6 @@ mod learn;
 mod logistic;
 mod params;
 mod result;
-mod rule;
 mod score;
 mod shipped;
 mod similarity;
@@ -28,17 +28,20 @@ mod verdicts;
 mod weighted;
 mod whole_heart;
 
-pub use checked_rule::CheckedRule;
-pub use error::{LearnError, RuleError, VerdictError};
+pub use checked_classifier::CheckedClassifier;
+pub use classifier_file::{
+    ClassifierFeature, ClassifierFile, ClassifierLabel, ClassifierMeshes, ClassifierModel,
+    ClassifierOrigin, ClassifierTraining,
+};
+pub use error::{ClassifierError, LearnError, VerdictError};
 pub use feature::{Feature, FeatureUnit};
 pub use features::{Features, VerdictInput};
 pub use learn::learn;
 pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
 pub use result::{
-    ClassifierQuality, ClassifierSource, Examined, Finding, Kind, KindQuality, NotAssessed, Reason,
-    RuleSource, TrainingSetDistance, Verdict, Verdicts,
+    AppliedClassifier, ClassifierQuality, ClassifierSource, Examined, Finding, LabelProbability,
+    LabelQuality, NotAssessed, Reason, TrainingSetDistance, Verdict, Verdicts,
 };
-pub use rule::{Rule, RuleFeature, RuleKind, RuleMeshes, RuleModel, RuleOrigin, RuleTraining};
-pub use shipped::built_in_rule;
+pub use shipped::built_in_classifier;
 pub use verdicts::{examine, verdicts};
 pub use whole_heart::wall_in_doubt;

@@ -106,12 +106,12 @@ pub struct TrainingSetDistance {
     pub as_far: f64,
 }
 
-/// One of the labels of the study, and how probable it is that a subject is of that kind.
+/// One of the labels of the study, and how probable it is that it is the label of a subject.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Kind {
+pub struct LabelProbability {
     /// The label.
     pub label: String,
-    /// Calibrated, one kind against the rest, and scaled so that those of all kinds have the sum 1.
+    /// Calibrated, one label against the rest, and scaled so that those of all labels have the sum 1.
     pub probability: f64,
 }
 
@@ -127,7 +127,7 @@ pub struct Reason {
 /// The verdict on one subject.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// Its kind.
+    /// The verdict itself.
     pub finding: Finding,
     /// Whether the probability is above one half.
     pub abnormal: bool,
@@ -146,8 +146,8 @@ pub struct Verdict {
     pub training_set_distance: Option<TrainingSetDistance>,
     /// Whether its wall could be assessed; otherwise the verdict is by what is left, and says nothing of regions.
     pub wall: bool,
-    /// Of which kind it is, the most probable first; empty where there are fewer than three kinds to tell.
-    pub kinds: Vec<Kind>,
+    /// Labels of the training set, the most probable first; empty where there are fewer than three.
+    pub labels: Vec<LabelProbability>,
     /// The features that speak most for its class, the strongest first.
     pub reasons: Vec<Reason>,
     /// Model features outside the range that a rule has seen; empty without a rule.
@@ -172,12 +172,12 @@ pub enum ClassifierSource {
         abnormal: usize,
     },
     /// A rule that was learnt on another study.
-    Rule(RuleSource),
+    OtherStudy(AppliedClassifier),
 }
 
 /// Which rule makes the verdicts.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct RuleSource {
+pub struct AppliedClassifier {
     /// What it is called.
     pub name: String,
     /// Name of the study that it was learnt on; empty where its file does not say.
@@ -193,7 +193,7 @@ pub struct RuleSource {
     pub labelled: Option<[usize; 2]>,
 }
 
-impl RuleSource {
+impl AppliedClassifier {
     /// `Classifier “built-in”, trained on 60 subjects of ACDC walls (20 normal, 40 abnormal), AUC 1.00 there`.
     pub fn words(&self) -> String {
         let Self {
@@ -239,19 +239,19 @@ pub struct ClassifierQuality {
     pub auc_baseline: f64,
     /// Share of permutations at least as good, those labels that are one of them.
     pub auc_p_value: f64,
-    /// How often the kind is right; `None` where there are fewer than three to tell.
-    pub kinds: Option<KindQuality>,
+    /// How often the most probable label is right; `None` where there are fewer than three.
+    pub labels: Option<LabelQuality>,
 }
 
-/// How often the most probable kind is the label, leave-one-out.
+/// How often the most probable label is that of the study, leave-one-out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct KindQuality {
-    /// Subjects whose most probable kind is their label.
+pub struct LabelQuality {
+    /// Subjects whose most probable label is their own.
     pub correct: usize,
-    /// Subjects with a kind.
+    /// Subjects with one of these labels.
     pub of: usize,
     /// As many have the most frequent label: always saying that would be right so often.
-    pub largest_kind: usize,
+    pub largest_label: usize,
 }
 
 /// The verdicts on all subjects of a study.

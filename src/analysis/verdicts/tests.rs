@@ -280,7 +280,7 @@ fn without_enough_labels_the_built_in_rule_speaks_and_says_so() {
         }
         let params = VerdictParams::default().check().unwrap();
         let found = verdicts(&study, &inputs, &params, None, &Progress::default()).unwrap();
-        let ClassifierSource::Rule(rule) = &found.classifier else {
+        let ClassifierSource::OtherStudy(rule) = &found.classifier else {
             panic!("{case}: {:?}", found.classifier);
         };
         assert_eq!((rule.labelled, found.quality), (Some(labelled), None));

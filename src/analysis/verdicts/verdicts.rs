@@ -4,15 +4,17 @@ use crate::analysis::thickening::AKINETIC_PT;
 use crate::progress::Progress;
 use crate::study::Study;
 
-use super::checked_rule::CheckedRule;
+use super::checked_classifier::CheckedClassifier;
 use super::classification::Classification;
 use super::cohort::Cohort;
 use super::error::VerdictError;
 use super::feature::Feature;
 use super::features::{Features, VerdictInput, wall_volume_ratio};
 use super::params::CheckedVerdictParams;
-use super::result::{ClassifierSource, Examined, NotAssessed, RuleSource, Verdict, Verdicts};
-use super::shipped::built_in_rule;
+use super::result::{
+    AppliedClassifier, ClassifierSource, Examined, NotAssessed, Verdict, Verdicts,
+};
+use super::shipped::built_in_classifier;
 use super::whole_heart::with_whole_hearts;
 
 /// Thickening of remote myocardium, in standard deviations of averaged noise, or of the least that counts as
@@ -26,7 +28,7 @@ const SURE: f64 = 3.0;
 /// 2. The rest is classified by a logistic classifier on [`super::Feature::MODEL_FEATURES`], standardised, both classes
 ///    weighing alike, trained on the subjects whose label is of class normal or abnormal. The verdict on a labelled
 ///    subject comes from a classifier trained without it, calibrated by the scores of the others. A rule, where one is given,
-///    classifies all subjects in its place, whatever their labels; with too few labels it is [`built_in_rule`].
+///    classifies all subjects in its place, whatever their labels; with too few labels it is [`built_in_classifier`].
 /// 3. An abnormal subject has a patch where thickening found one, unless its [`super::Feature::UpperRange`] is small: then
 ///    hypokinesia is global.
 ///
@@ -47,7 +49,7 @@ pub fn verdicts(
     study: &Study,
     examined: &[Result<Examined, NotAssessed>],
     params: &CheckedVerdictParams,
-    rule: Option<&CheckedRule>,
+    rule: Option<&CheckedClassifier>,
     progress: &Progress,
 ) -> Result<Verdicts, VerdictError> {
     let known = with_whole_hearts(study, examined)?;
@@ -59,7 +61,13 @@ pub fn verdicts(
     let (normal, abnormal) = cohort.counts();
     let Some(trained) = cohort.train(params, progress)? else {
         let labelled = Some([normal, abnormal]);
-        return Ok(by_rule(study, &known, examined, built_in_rule()?, labelled));
+        return Ok(by_rule(
+            study,
+            &known,
+            examined,
+            built_in_classifier()?,
+            labelled,
+        ));
     };
     Ok(Verdicts {
         subjects: all(&Classification::new(&cohort, &trained, None), known),
@@ -69,12 +77,12 @@ pub fn verdicts(
     })
 }
 
-/// The verdicts of a rule on all subjects, whatever their labels. `labelled` is what [`RuleSource::labelled`] says.
+/// The verdicts of a rule on all subjects, whatever their labels. `labelled` is what [`AppliedClassifier::labelled`] says.
 fn by_rule(
     study: &Study,
     known: &[Result<Examined, NotAssessed>],
     walls: &[Result<Examined, NotAssessed>],
-    rule: &CheckedRule,
+    rule: &CheckedClassifier,
     labelled: Option<[usize; 2]>,
 ) -> Verdicts {
     let known: Vec<_> = (study.subjects.iter().zip(known).zip(walls))
@@ -94,7 +102,7 @@ fn by_rule(
     let (origin, training) = (&rule.rule().origin, &rule.rule().training);
     Verdicts {
         subjects: all(&classified, known),
-        classifier: ClassifierSource::Rule(RuleSource {
+        classifier: ClassifierSource::OtherStudy(AppliedClassifier {
             name: rule.name().to_owned(),
             study: origin.study.clone(),
             normal: training.normal,

@@ -49,16 +49,16 @@ pub enum Effect {
         study: Vec<PathBuf>,
     },
     /// Ask for the file of a classifier.
-    ChooseRule,
+    ChooseClassifier,
     /// Read a classifier, for the study on screen or for the one that is opened.
-    ReadRule {
+    ReadClassifier {
         /// Its file.
         rule: PathBuf,
         /// What else was named with it.
         then: Option<Box<Effect>>,
     },
     /// Train a classifier on the study and write it; asks where if `None`.
-    ExportRule(Option<PathBuf>),
+    ExportClassifier(Option<PathBuf>),
     /// Complete a path that is typed.
     CompletePath(String),
     /// Take a path that was typed.

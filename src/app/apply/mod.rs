@@ -1,11 +1,11 @@
 //! The one place where commands change the state: a file for each kind of command.
 
 mod change;
+mod classifier;
 mod edit;
 mod effect;
 mod map;
 mod playback;
-mod rule;
 mod select;
 #[cfg(test)]
 mod tests;
@@ -51,7 +51,9 @@ fn applied(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> 
         Command::View(command) => view::apply(state, command, moment),
         Command::Map(command) => map::apply(state, command, moment),
         Command::Wall(command) => wall::apply(state, command, moment),
-        Command::Rule(command) => return Vec::from_iter(rule::apply(state, command, moment)),
+        Command::Classifier(command) => {
+            return Vec::from_iter(classifier::apply(state, command, moment));
+        }
         Command::Transport(command) => return transport::apply(state, command, moment),
         Command::File(command) => return Vec::from_iter(window::apply_file(state, command)),
         Command::Work(command) => return Vec::from_iter(window::apply_work(state, command)),

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::app::export::FigureKind;
-use crate::app::rules::{is_rule, split_rule};
+use crate::app::opened_classifiers::{is_classifier, split_classifier};
 use crate::app::saved_views::split_picture;
 use crate::app::settings::remember_recent;
 use crate::document::Leaving;
@@ -20,9 +20,9 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         FileCommand::ChooseFiles => Some(Effect::ChooseFiles),
         FileCommand::ChooseFolder => Some(Effect::ChooseFolder),
         FileCommand::Open(paths) if paths.is_empty() => None,
-        FileCommand::Open(mut paths) if is_open && paths.len() == 1 && is_rule(&paths[0]) => {
+        FileCommand::Open(mut paths) if is_open && paths.len() == 1 && is_classifier(&paths[0]) => {
             let (rule, then) = (paths.swap_remove(0), None);
-            Some(Effect::ReadRule { rule, then })
+            Some(Effect::ReadClassifier { rule, then })
         }
         FileCommand::Open(paths) => {
             let (picture, study) = split_picture(paths.clone());
@@ -40,9 +40,9 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         FileCommand::ChooseFolderToAdd => is_open.then_some(Effect::ChooseFolderToAdd),
         FileCommand::Add(paths) if !is_open => apply_file(state, FileCommand::Open(paths)),
         FileCommand::Add(paths) => {
-            let (rule, subjects) = split_rule(paths);
+            let (rule, subjects) = split_classifier(paths);
             let add = (!subjects.is_empty()).then_some(Effect::Add(subjects));
-            with_rule(rule, add)
+            with_classifier(rule, add)
         }
         FileCommand::ExportStudy(folder) => {
             is_open.then_some(Effect::ExportStudy { folder, then: None })
@@ -98,7 +98,7 @@ fn left(state: &mut State, leaving: Leaving) -> Option<Effect> {
         Leaving::Quit => Effect::Quit,
         Leaving::FollowLinks => Effect::FollowLinks,
         Leaving::Open(OpenSource::Paths(paths)) => {
-            let (rule, paths) = split_rule(paths);
+            let (rule, paths) = split_classifier(paths);
             let (picture, study) = split_picture(paths);
             let open = match picture {
                 Some(picture) => Effect::ReadPicture { picture, study },
@@ -107,19 +107,19 @@ fn left(state: &mut State, leaving: Leaving) -> Option<Effect> {
                     Effect::Open(OpenSource::Paths(study))
                 }
             };
-            return with_rule(rule, Some(open));
+            return with_classifier(rule, Some(open));
         }
         Leaving::Open(source) => Effect::Open(source),
     })
 }
 
 /// What is done with the paths beside a classifier, and with that.
-fn with_rule(rule: Option<PathBuf>, then: Option<Effect>) -> Option<Effect> {
+fn with_classifier(rule: Option<PathBuf>, then: Option<Effect>) -> Option<Effect> {
     let Some(rule) = rule else {
         return then;
     };
     let then = then.map(Box::new);
-    Some(Effect::ReadRule { rule, then })
+    Some(Effect::ReadClassifier { rule, then })
 }
 
 fn figure(kind: FigureKind, path: Option<PathBuf>, is_open: bool) -> Option<Effect> {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::analysis::verdicts::{
-    CheckedRule, CheckedVerdictParams, Examined, Feature, NotAssessed, Rule, VerdictInput,
-    VerdictParams, Verdicts, examine, learn, verdicts,
+    CheckedClassifier, CheckedVerdictParams, ClassifierFile, Examined, Feature, NotAssessed,
+    VerdictInput, VerdictParams, Verdicts, examine, learn, verdicts,
 };
 use crate::engine::queries::thickening::{
     ThickeningSettings, WallThickeningQuery, thickening_words,
@@ -23,7 +23,7 @@ pub struct VerdictQuery {
     /// How a verdict is made.
     pub verdicts: VerdictParams,
     /// Which rule makes it, in the place of the labels of the study.
-    pub rule: Option<Arc<CheckedRule>>,
+    pub rule: Option<Arc<CheckedClassifier>>,
 }
 
 impl Query for VerdictQuery {
@@ -91,14 +91,14 @@ impl VerdictQuery {
 
 /// The rule that is learnt from a study with these settings.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RuleQuery {
+pub struct TrainedClassifierQuery {
     /// How walls are assessed, and verdicts made.
     pub verdicts: VerdictQuery,
     /// Which model features it reads.
     pub features: Vec<Feature>,
 }
 
-impl RuleQuery {
+impl TrainedClassifierQuery {
     /// A rule that reads all of them.
     pub fn new(verdicts: VerdictQuery) -> Self {
         Self {
@@ -108,9 +108,9 @@ impl RuleQuery {
     }
 }
 
-impl Query for RuleQuery {
-    type Answer = Rule;
-    const TITLE: &'static str = "Rule";
+impl Query for TrainedClassifierQuery {
+    type Answer = ClassifierFile;
+    const TITLE: &'static str = "Classifier trained on the study";
     const FAILURE: Option<&'static str> = Some("No classifier could be trained");
     const URGENCY: Urgency = Urgency::Background;
 
@@ -118,7 +118,7 @@ impl Query for RuleQuery {
         self.verdicts.parameters()
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<Rule, Interrupted> {
+    fn run(&self, cx: &Context<'_>) -> Result<ClassifierFile, Interrupted> {
         let params = self.verdicts.verdicts.check()?;
         let examined = self.verdicts.examined(cx, &params)?;
         let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
@@ -131,7 +131,7 @@ impl Query for RuleQuery {
         )?)
     }
 
-    fn memory(rule: &Rule, memory: &mut Memory) {
+    fn memory(rule: &ClassifierFile, memory: &mut Memory) {
         memory.own(size_of_val(&*rule.features));
     }
 

@@ -3,12 +3,12 @@
 //! A command, its name, its key and its place in the menus stand in one file; menus, palette and keys read the tables.
 
 mod action;
+mod classifier;
 mod edit;
 mod file;
 mod map;
 mod pane;
 mod playback;
-mod rule;
 mod select;
 mod transport;
 mod view;
@@ -19,7 +19,9 @@ mod work;
 use std::sync::LazyLock;
 
 pub use {action::*, edit::*, file::*, map::*, pane::*};
-pub use {playback::*, rule::*, select::*, transport::*, view::*, wall::*, window::*, work::*};
+pub use {
+    classifier::*, playback::*, select::*, transport::*, view::*, wall::*, window::*, work::*,
+};
 
 /// One request of the user.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +37,7 @@ pub enum Command {
     /// The wall and its patches; applied by `app/apply/wall.rs`.
     Wall(WallCommand),
     /// The classifier from a file; applied by `app/apply/rule.rs`.
-    Rule(RuleCommand),
+    Classifier(ClassifierCommand),
     /// Transported motions and interpolated poses; applied by `app/apply/transport.rs`.
     Transport(TransportCommand),
     /// Undo, redo, and edits of the study; applied by `app/apply/edit.rs`.
@@ -60,7 +62,7 @@ macro_rules! kinds {
 
 #[rustfmt::skip]
 kinds!(
-    Select(SelectCommand), Playback(PlaybackCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Rule(RuleCommand),
+    Select(SelectCommand), Playback(PlaybackCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Classifier(ClassifierCommand),
     Transport(TransportCommand),
     Edit(EditCommand), File(FileCommand), Work(WorkCommand), Window(WindowCommand)
 );
@@ -76,7 +78,7 @@ pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
         .chain(wide(playback::ACTIONS))
         .chain(wide(view::ACTIONS))
         .chain(wide(wall::ACTIONS))
-        .chain(wide(rule::ACTIONS))
+        .chain(wide(classifier::ACTIONS))
         .chain(wide(transport::ACTIONS))
         .chain(of_metrics().map(|row| row.widened()))
         .chain(wide(map::ACTIONS))

@@ -28,7 +28,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, report: &VerdictReport) {
     if let Some(probability) = report.probability {
         probability_ui(ui, report, probability);
     }
-    kinds_ui(ui, report);
+    labels_ui(ui, report);
     if !report.reasons.is_empty() {
         ui.add_space(space::SMALL);
         ui.add(Label::new(note(report.reasons.as_str())).wrap())
@@ -52,13 +52,13 @@ pub(super) fn verdict_ui(ui: &mut Ui, report: &VerdictReport) {
     ui.add_space(space::MEDIUM);
 }
 
-/// Of which kind it is, the two most probable.
-fn kinds_ui(ui: &mut Ui, report: &VerdictReport) {
-    if report.kinds.is_empty() {
+/// The two most probable labels.
+fn labels_ui(ui: &mut Ui, report: &VerdictReport) {
+    if report.labels.is_empty() {
         return;
     }
     ui.add_space(space::SMALL);
-    for (rank, (label, probability)) in report.kinds.iter().take(2).enumerate() {
+    for (rank, (label, probability)) in report.labels.iter().take(2).enumerate() {
         let name = if rank == 0 {
             format!("Most probable label: {label}")
         } else {

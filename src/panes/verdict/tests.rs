@@ -19,7 +19,7 @@ fn report() -> VerdictReport {
         sentence: "Thickening in part of the wall is far below that of remote myocardium"
             .to_owned(),
         probability: Some(0.973),
-        kinds: vec![("MINF".to_owned(), "97 %".to_owned())],
+        labels: vec![("MINF".to_owned(), "97 %".to_owned())],
         reasons: "Strongest features: Akinetic region 31 %".to_owned(),
         source: "Leave-one-out: this subject was not in the training set",
         training_distance: Some(TrainingDistance {

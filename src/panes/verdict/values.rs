@@ -14,9 +14,9 @@ pub struct VerdictReport {
     pub sentence: String,
     /// Predicted probability of class abnormal, in `0..=1`; `None` where it is not assessed.
     pub probability: Option<f64>,
-    /// Labels of the study with the probability that the subject is of that kind, the most probable first; empty
+    /// Labels of the study with the probability that it is the subject's, the most probable first; empty
     /// without one.
-    pub kinds: Vec<(String, String)>,
+    pub labels: Vec<(String, String)>,
     /// The features that speak most for the class, in words; empty without any.
     pub reasons: String,
     /// Which classifier it is from: leave-one-out, trained on others, a file, the built-in one.

@@ -1,7 +1,7 @@
 //! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
-    ClassifierQuality, ClassifierSource, Feature, Finding, NotAssessed, RuleSource,
+    AppliedClassifier, ClassifierQuality, ClassifierSource, Feature, Finding, NotAssessed,
     TrainingSetDistance, Verdict, Verdicts,
 };
 use crate::document::state::State;
@@ -83,19 +83,24 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
         mark: mark(verdict.finding),
         heading: heading(verdict),
         sentence: sentence(verdict),
-        kinds: (verdict.kinds.iter())
-            .map(|kind| (kind.label.clone(), super::found::percent(kind.probability)))
+        labels: (verdict.labels.iter())
+            .map(|label| {
+                (
+                    label.label.clone(),
+                    super::found::percent(label.probability),
+                )
+            })
             .collect(),
         reasons: reasons(verdict),
         probability: Some(verdict.probability),
         source: match (&verdicts.classifier, class) {
             (
-                ClassifierSource::Rule(RuleSource {
+                ClassifierSource::OtherStudy(AppliedClassifier {
                     labelled: Some(_), ..
                 }),
                 _,
             ) => "Built-in classifier: too few labelled subjects",
-            (ClassifierSource::Rule(_), _) => "Classifier of another study, from a file",
+            (ClassifierSource::OtherStudy(_), _) => "Classifier of another study, from a file",
             (ClassifierSource::Cohort { .. }, LabelClass::Neither) => {
                 "Classifier trained on the labelled subjects; this subject has no class"
             }
@@ -265,7 +270,7 @@ fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
             "Logistic classifier, trained on the labelled subjects that can be assessed ({normal} normal, {abnormal} \
              abnormal); each of them is classified leave-one-out"
         ),
-        ClassifierSource::Rule(rule) => rule.words(),
+        ClassifierSource::OtherStudy(rule) => rule.words(),
     };
     let results = match (&verdicts.classifier, &verdicts.quality) {
         (ClassifierSource::Cohort { normal, abnormal }, Some(quality)) => {
@@ -278,11 +283,11 @@ fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
 
 fn results(quality: &ClassifierQuality, normal: usize, abnormal: usize) -> Vec<ClassifierResult> {
     let accuracy = &quality.accuracy;
-    let kinds = quality.kinds.map(|kinds| ClassifierResult {
-        name: "Kind (leave-one-out)",
-        what: "Subjects whose most probable kind is their label (leave-one-out)",
-        value: format!("{} of {}", kinds.correct, kinds.of),
-        permutation_test: format!("most frequent label: {}", kinds.largest_kind),
+    let labels = quality.labels.map(|labels| ClassifierResult {
+        name: "Label (leave-one-out)",
+        what: "Subjects whose most probable label is their own (leave-one-out)",
+        value: format!("{} of {}", labels.correct, labels.of),
+        permutation_test: format!("most frequent label: {}", labels.largest_label),
     });
     let results = [
         ClassifierResult {
@@ -324,7 +329,7 @@ fn results(quality: &ClassifierQuality, normal: usize, abnormal: usize) -> Vec<C
             permutation_test: String::new(),
         },
     ];
-    results.into_iter().chain(kinds).collect()
+    results.into_iter().chain(labels).collect()
 }
 
 #[cfg(test)]

@@ -103,7 +103,7 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
 /// Which classifier the verdicts come from, and its accuracy.
 pub(super) fn classifier(verdicts: &Verdicts) -> String {
     let (normal, abnormal) = match &verdicts.classifier {
-        ClassifierSource::Rule(rule) => return format!("{}.", rule.words()),
+        ClassifierSource::OtherStudy(rule) => return format!("{}.", rule.words()),
         ClassifierSource::Cohort { normal, abnormal } => (normal, abnormal),
     };
     let mut words = format!(
@@ -126,10 +126,10 @@ pub(super) fn classifier(verdicts: &Verdicts) -> String {
             quality.auc_baseline,
             quality.auc_p_value
         );
-        if let Some(kinds) = quality.kinds {
+        if let Some(labels) = quality.labels {
             words += &format!(
                 " Most probable label: the own one of {} of {} subjects, leave-one-out ({} have the most frequent one).",
-                kinds.correct, kinds.of, kinds.largest_kind
+                labels.correct, labels.of, labels.largest_label
             );
         }
     }
@@ -168,13 +168,13 @@ pub(super) fn classes(classes: &Classes) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::verdicts::RuleSource;
+    use crate::analysis::verdicts::AppliedClassifier;
 
     #[test]
     fn the_classifier_of_the_verdicts_is_named_with_what_it_was_trained_on() {
         let verdicts = Verdicts {
             subjects: Vec::new(),
-            classifier: ClassifierSource::Rule(RuleSource {
+            classifier: ClassifierSource::OtherStudy(AppliedClassifier {
                 name: "ward".to_owned(),
                 study: "Ward 7".to_owned(),
                 normal: 8,

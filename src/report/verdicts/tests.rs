@@ -5,11 +5,12 @@ use crate::analysis::measures::measure_subject;
 use crate::analysis::medial::{MedialParams, medial_beat};
 use crate::analysis::thickening::{ThickeningParams, thickening};
 use crate::analysis::verdicts::{
-    ClassifierSource, Feature, Features, Finding, Kind, NotAssessed, Reason, TrainingSetDistance,
-    VerdictInput, VerdictParams, examine, verdicts,
+    ClassifierSource, Feature, Features, Finding, LabelProbability, NotAssessed, Reason,
+    TrainingSetDistance, VerdictInput, VerdictParams, examine, verdicts,
 };
 use crate::mesh::phantom;
 use crate::progress::Progress;
+use crate::report::table::Row;
 use crate::report::{csv, testing};
 use crate::study::built_in::{BuiltInParams, cohort};
 use std::sync::Arc;
@@ -69,8 +70,11 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         (Feature::NormalSpread, "normal_spread_rad"),
         (Feature::MeanPositionDistance, "gap_sizes"),
     ];
-    let listed = VerdictRow::COLUMNS.iter().map(|column| column.key);
-    assert_eq!(columns.iter().collect::<Vec<_>>(), listed.collect::<Vec<_>>());
+    let listed = <VerdictRow as Row>::COLUMNS.iter().map(|column| column.key);
+    assert_eq!(
+        columns.iter().collect::<Vec<_>>(),
+        listed.collect::<Vec<_>>()
+    );
     // Features of the wall stand together, in the order of before; those of the whole heart were added behind them.
     let first = columns.iter().position(|name| name == names[0].1).unwrap();
     assert_eq!(&columns[first + names.len()], "outside_range");
@@ -90,7 +94,8 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         "as in subjects.csv"
     );
     // Confidence and compactness of a round patch are both 1; all others differ.
-    let distinct: std::collections::HashSet<&str> = row.iter().skip(first).take(names.len()).collect();
+    let distinct: std::collections::HashSet<&str> =
+        row.iter().skip(first).take(names.len()).collect();
     assert!(distinct.len() + 1 >= names.len(), "{row:?}");
 }
 
@@ -110,7 +115,7 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
             as_far: 0.1,
         }),
         wall: true,
-        kinds: vec![Kind {
+        labels: vec![LabelProbability {
             label: "MINF".to_owned(),
             probability: 0.75,
         }],

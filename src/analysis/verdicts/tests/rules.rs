@@ -1,4 +1,4 @@
-//! Hearts without walls, kinds, and rules that travel.
+//! Hearts without walls, labels, and rules that travel.
 
 use std::sync::Arc;
 
@@ -41,12 +41,12 @@ fn study() -> Study {
     study.label_classes.abnormal = vec!["DCM".to_owned(), "MINF".to_owned()];
     for number in 0..8 {
         let little = 0.004 * number as f64;
-        let kinds = [
+        let labels = [
             ("NOR", 0.70 + little, 0.004 * ((number * 5) % 8) as f64),
             ("DCM", 0.88 + little, 0.004 * ((number * 3) % 8) as f64),
             ("MINF", 0.80 + little, 0.20 + little),
         ];
-        for (place, (label, kept, uneven)) in kinds.into_iter().enumerate() {
+        for (place, (label, kept, uneven)) in labels.into_iter().enumerate() {
             study
                 .subjects
                 .push(cavity(3 * number + place, Some(label), kept, uneven, 2));
@@ -80,7 +80,7 @@ fn classified(study: &Study) -> Verdicts {
     .unwrap()
 }
 
-fn learnt(study: &Study) -> Rule {
+fn learnt(study: &Study) -> ClassifierFile {
     let all = Feature::MODEL_FEATURES;
     learn(
         study,
@@ -92,7 +92,7 @@ fn learnt(study: &Study) -> Rule {
     .unwrap()
 }
 
-fn classified_by(study: &Study, rule: &CheckedRule) -> Verdicts {
+fn classified_by(study: &Study, rule: &CheckedClassifier) -> Verdicts {
     verdicts(
         study,
         &no_walls(study),
@@ -117,25 +117,25 @@ fn hearts_without_walls_get_a_verdict_by_what_is_left_and_the_kind_is_told() {
         "{quality:?}"
     );
     assert!(quality.auc > 0.97 && quality.auc_p_value <= 0.1);
-    let kinds = quality.kinds.unwrap();
+    let labels = quality.labels.unwrap();
     assert!(
-        kinds.correct >= 22 && kinds.of == 24 && kinds.largest_kind == 8,
-        "{kinds:?}"
+        labels.correct >= 22 && labels.of == 24 && labels.largest_label == 8,
+        "{labels:?}"
     );
     for (subject, verdict) in study.subjects.iter().zip(&found.subjects) {
         let verdict = verdict.as_ref().unwrap();
-        let sum: f64 = verdict.kinds.iter().map(|kind| kind.probability).sum();
+        let sum: f64 = verdict.labels.iter().map(|label| label.probability).sum();
         assert!((sum - 1.0).abs() < 1e-9 && !verdict.wall, "{}", subject.id);
         assert!(
             verdict
-                .kinds
+                .labels
                 .is_sorted_by(|a, b| a.probability >= b.probability)
         );
         let own = verdict.reasons.iter().map(|reason| reason.log_odds);
         assert!(own.into_iter().all(|odds| (odds > 0.0) == verdict.abnormal));
     }
     let unlabelled = of(&found, 24);
-    assert_eq!(unlabelled.kinds[0].label, "DCM");
+    assert_eq!(unlabelled.labels[0].label, "DCM");
     assert_eq!(unlabelled.words(), "abnormal, wall not assessed");
     assert_eq!(of(&found, 0).words(), "normal, wall not assessed");
 }
@@ -145,7 +145,7 @@ fn a_heart_with_the_wrong_label_is_told_of_the_kind_that_it_is() {
     let mut study = study();
     Arc::make_mut(&mut study.subjects[4]).label = Some("NOR".to_owned());
     let found = classified(&study);
-    assert_eq!(of(&found, 4).kinds[0].label, "DCM");
+    assert_eq!(of(&found, 4).labels[0].label, "DCM");
     assert!(of(&found, 4).abnormal);
 }
 
@@ -176,7 +176,7 @@ fn a_rule_says_of_a_subject_that_it_has_not_seen_what_its_study_says() {
             .iter()
             .all(|subject| !text.contains(&subject.id))
     );
-    let read: Rule = serde_json::from_str(&text).unwrap();
+    let read: ClassifierFile = serde_json::from_str(&text).unwrap();
     assert_eq!(read, rule);
     let alone = Study {
         subjects: vec![Arc::clone(&study.subjects[24])],
@@ -187,14 +187,14 @@ fn a_rule_says_of_a_subject_that_it_has_not_seen_what_its_study_says() {
     let (own, verdict) = (classified(&study), of(&by_rule, 0));
     assert!((verdict.probability - of(&own, 24).probability).abs() < 1e-12);
     assert_eq!(
-        (&verdict.kinds, &verdict.reasons),
-        (&of(&own, 24).kinds, &of(&own, 24).reasons)
+        (&verdict.labels, &verdict.reasons),
+        (&of(&own, 24).labels, &of(&own, 24).reasons)
     );
     assert!(verdict.outside.is_empty(), "{:?}", verdict.outside);
     assert!(verdict.training_set_distance.unwrap().as_far > 0.05);
     assert_eq!(
         by_rule.classifier,
-        ClassifierSource::Rule(RuleSource {
+        ClassifierSource::OtherStudy(AppliedClassifier {
             name: "walls".to_owned(),
             study: "Cavities".to_owned(),
             normal: 8,
@@ -256,31 +256,37 @@ fn a_heart_outside_what_a_rule_has_seen_says_by_which_feature_and_other_meshes_a
 #[test]
 fn damaged_rules_are_refused() {
     let rule = learnt(&study());
-    let damaged = |change: &dyn Fn(&mut Rule)| {
+    let damaged = |change: &dyn Fn(&mut ClassifierFile)| {
         let mut rule = rule.clone();
         change(&mut rule);
         rule.check("damaged").map(|_| ()).unwrap_err()
     };
     assert!(matches!(
         damaged(&|rule| rule.version = 2),
-        RuleError::Form { version: 2, .. }
+        ClassifierError::Form { version: 2, .. }
     ));
     assert_eq!(
         damaged(&|rule| rule.features[0].unit = "cm".to_owned()),
-        RuleError::Feature("Akinetic region cm".to_owned())
+        ClassifierError::Feature("Akinetic region cm".to_owned())
     );
-    assert_eq!(damaged(&|rule| rule.features.swap(0, 1)), RuleError::Order);
-    assert_eq!(damaged(&|rule| rule.features.clear()), RuleError::Order);
+    assert_eq!(
+        damaged(&|rule| rule.features.swap(0, 1)),
+        ClassifierError::Order
+    );
+    assert_eq!(
+        damaged(&|rule| rule.features.clear()),
+        ClassifierError::Order
+    );
     for numbers in [
-        &|rule: &mut Rule| rule.abnormal.weights.truncate(2) as (),
-        &|rule: &mut Rule| rule.features.truncate(3),
-        &|rule: &mut Rule| rule.abnormal.slope = f64::NAN,
-        &|rule: &mut Rule| rule.features[3].deviation = 0.0,
-        &|rule: &mut Rule| rule.distances.reverse(),
-        &|rule: &mut Rule| rule.kinds[0].model.absence_weights.push(1.0),
-    ] as [&dyn Fn(&mut Rule); 6]
+        &|rule: &mut ClassifierFile| rule.abnormal.weights.truncate(2) as (),
+        &|rule: &mut ClassifierFile| rule.features.truncate(3),
+        &|rule: &mut ClassifierFile| rule.abnormal.slope = f64::NAN,
+        &|rule: &mut ClassifierFile| rule.features[3].deviation = 0.0,
+        &|rule: &mut ClassifierFile| rule.distances.reverse(),
+        &|rule: &mut ClassifierFile| rule.labels[0].model.absence_weights.push(1.0),
+    ] as [&dyn Fn(&mut ClassifierFile); 6]
     {
-        assert_eq!(damaged(numbers), RuleError::Numbers);
+        assert_eq!(damaged(numbers), ClassifierError::Numbers);
     }
     assert!(rule.check("whole").is_ok());
 }
@@ -326,7 +332,7 @@ fn a_rule_of_some_features_reads_no_others() {
     assert_eq!(names, in_order.map(Feature::name));
     assert!(rule.training.auc.unwrap() > 0.9 && rule.abnormal.weights.len() == 3);
     let text = serde_json::to_string(&rule).unwrap();
-    let rule = Rule::read(&text).unwrap().check("three").unwrap();
+    let rule = ClassifierFile::read(&text).unwrap().check("three").unwrap();
     let found = classified_by(&study, &rule);
     assert_eq!(found.features, in_order);
     for verdict in found.subjects.iter().flatten() {
@@ -353,7 +359,7 @@ fn a_rule_of_some_features_reads_no_others() {
 
 #[test]
 fn the_built_in_rule_can_be_read_and_says_where_it_comes_from() {
-    let rule = built_in_rule().unwrap();
+    let rule = built_in_classifier().unwrap();
     let (origin, training) = (&rule.rule().origin, &rule.rule().training);
     assert!(!origin.study.is_empty() && origin.note.contains("ACDC"));
     assert_eq!((training.normal, training.abnormal), (20, 40));

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::analysis::classification::Accuracy;
-use crate::analysis::verdicts::{Features, Kind, KindQuality, NotAssessed};
+use crate::analysis::verdicts::{Features, LabelProbability, LabelQuality, NotAssessed};
 use crate::document::testing::{state_of, subject_with_frames};
 use std::sync::Arc;
 
@@ -21,14 +21,14 @@ fn verdict(finding: Finding, probability: f64) -> Verdict {
             as_far: 0.4,
         }),
         wall: true,
-        kinds: vec![kind("MINF", 0.93), kind("NOR", 0.07)],
+        labels: vec![label("MINF", 0.93), label("NOR", 0.07)],
         reasons: Vec::new(),
         outside: Vec::new(),
     }
 }
 
-fn kind(label: &str, probability: f64) -> Kind {
-    Kind {
+fn label(label: &str, probability: f64) -> LabelProbability {
+    LabelProbability {
         label: label.to_owned(),
         probability,
     }
@@ -63,8 +63,8 @@ fn only_the_finding_of_a_patch_is_called_one() {
     let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
     assert_eq!(shown.mark, VerdictMark::Patch);
-    let kinds = [("MINF", "93 %"), ("NOR", "7 %")].map(|(a, b)| (a.to_owned(), b.to_owned()));
-    assert_eq!(shown.kinds, kinds);
+    let labels = [("MINF", "93 %"), ("NOR", "7 %")].map(|(a, b)| (a.to_owned(), b.to_owned()));
+    assert_eq!(shown.labels, labels);
     assert_eq!(shown.similar[0][0].id, "b");
     assert_eq!(shown.similar[0][0].verdict, "no finding");
     state.document.subject = 1;
@@ -90,7 +90,7 @@ fn what_is_not_assessed_says_why_in_pane_and_table() {
 
 #[test]
 fn the_built_in_classifier_says_what_it_was_trained_on_and_why_it_is_taken() {
-    let state = classified(ClassifierSource::Rule(RuleSource {
+    let state = classified(ClassifierSource::OtherStudy(AppliedClassifier {
         name: "built-in".to_owned(),
         study: "Walls".to_owned(),
         normal: 20,
@@ -130,7 +130,7 @@ fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
 
 #[test]
 fn a_classifier_from_a_file_says_so_and_what_it_has_not_seen() {
-    let mut state = classified(ClassifierSource::Rule(RuleSource::default()));
+    let mut state = classified(ClassifierSource::OtherStudy(AppliedClassifier::default()));
     let seen = state.verdicts().unwrap().0;
     let mut verdicts = (**seen).clone();
     if let Ok(verdict) = &mut verdicts.subjects[0] {
@@ -164,10 +164,10 @@ fn accuracy_and_auc_have_permutation_means() {
         auc: 0.984,
         auc_baseline: 0.46,
         auc_p_value: 0.004_975,
-        kinds: Some(KindQuality {
+        labels: Some(LabelQuality {
             correct: 18,
             of: 20,
-            largest_kind: 8,
+            largest_label: 8,
         }),
     };
     let rows = results(&quality, 9, 14);

@@ -75,7 +75,7 @@ impl VerdictLines {
 
 fn evidence(verdicts: &Verdicts, probability: f64) -> String {
     match &verdicts.classifier {
-        ClassifierSource::Rule(rule) => format!(
+        ClassifierSource::OtherStudy(rule) => format!(
             "Predicted probability of abnormal {}; {}",
             probability_words(probability),
             rule.words()

@@ -1,8 +1,8 @@
 //! Classifiers as files in the window: opened, dropped, forgotten, trained and written.
 
 use super::*;
-use cardiomorph::engine::read_rule;
-use cardiomorph::panes::{EditCommand, FileCommand, RuleCommand, WindowCommand};
+use cardiomorph::engine::read_classifier;
+use cardiomorph::panes::{ClassifierCommand, EditCommand, FileCommand, WindowCommand};
 
 fn classified(app: &App) -> bool {
     matches!(app.state().verdicts(), Some((_, true))) && !app.busy()
@@ -30,7 +30,7 @@ fn trained(folder: &Path) -> PathBuf {
     let mut harness = cohort_window();
     // Without an ending it becomes one of a classifier.
     let place = path.with_extension("");
-    give(&mut harness, RuleCommand::Export(Some(place)).into());
+    give(&mut harness, ClassifierCommand::Export(Some(place)).into());
     wait_up_to(120, &mut harness, "the classifier", |app| {
         path.exists() && !app.busy()
     });
@@ -41,13 +41,13 @@ fn trained(folder: &Path) -> PathBuf {
 fn a_classifier_is_trained_written_opened_forgotten_and_comes_back_by_undo() {
     let folder = tempfile::tempdir().unwrap();
     let path = trained(folder.path());
-    let rule = read_rule(&path).unwrap();
+    let rule = read_classifier(&path).unwrap();
     assert_eq!(rule.rule().origin.study, "Built-in cohort");
     let mut harness = cohort_window();
     wait(&mut harness, "verdicts", classified);
     show_verdict(&mut harness);
     assert!(shows(&harness, "each of them is classified leave-one-out"));
-    give(&mut harness, RuleCommand::Open(path).into());
+    give(&mut harness, ClassifierCommand::Open(path).into());
     wait(&mut harness, "verdicts of the classifier", |app| {
         used(app).is_some() && classified(app)
     });
@@ -62,7 +62,7 @@ fn a_classifier_is_trained_written_opened_forgotten_and_comes_back_by_undo() {
     ));
     assert!(shows(&harness, "Classifier of another study, from a file"));
     assert!(shows(&harness, "the training distribution: "));
-    give(&mut harness, RuleCommand::Forget.into());
+    give(&mut harness, ClassifierCommand::Forget.into());
     wait(&mut harness, "verdicts by the labels", classified);
     assert!(used(harness.state()).is_none());
     assert!(shows(&harness, "each of them is classified leave-one-out"));
@@ -105,7 +105,7 @@ fn what_is_no_classifier_has_one_card_and_changes_nothing() {
     .unwrap();
     let mut harness = cohort_window();
     let before = harness.state().state().document.clone();
-    give(&mut harness, RuleCommand::Open(path).into());
+    give(&mut harness, ClassifierCommand::Open(path).into());
     wait(&mut harness, "the card", |app| {
         !app.state().errors.is_empty()
     });
@@ -127,7 +127,7 @@ fn without_a_file_dialog_the_classifier_is_typed() {
     options.ask_paths = Arc::new(|_| None);
     let mut harness = window(options);
     wait_for_heart(&mut harness);
-    give(&mut harness, RuleCommand::Choose.into());
+    give(&mut harness, ClassifierCommand::Choose.into());
     wait(&mut harness, "the sheet", |app| {
         app.state().path_entry.is_some()
     });

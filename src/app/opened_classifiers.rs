@@ -4,10 +4,10 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::analysis::verdicts::CheckedRule;
+use crate::analysis::verdicts::CheckedClassifier;
 use crate::document::state::State;
-use crate::engine::{Engine, Job, RuleQuery, read_rule, rule_file};
-use crate::panes::{Command, RuleCommand};
+use crate::engine::{Engine, Job, TrainedClassifierQuery, classifier_file, read_classifier};
+use crate::panes::{ClassifierCommand, Command};
 use crate::study::Study;
 use crate::ui::text::counted;
 
@@ -18,10 +18,10 @@ use super::errors::{interruption, push_card};
 const FAILED: &str = "The classifier could not be used";
 
 /// The one classifier among paths, and the other paths. Of several none is taken.
-pub fn split_rule(mut paths: Vec<PathBuf>) -> (Option<PathBuf>, Vec<PathBuf>) {
-    match paths.iter().filter(|path| is_rule(path)).count() {
+pub fn split_classifier(mut paths: Vec<PathBuf>) -> (Option<PathBuf>, Vec<PathBuf>) {
+    match paths.iter().filter(|path| is_classifier(path)).count() {
         1 => {
-            let rule = paths.iter().position(|path| is_rule(path));
+            let rule = paths.iter().position(|path| is_classifier(path));
             (rule.map(|index| paths.remove(index)), paths)
         }
         _ => (None, paths),
@@ -29,7 +29,7 @@ pub fn split_rule(mut paths: Vec<PathBuf>) -> (Option<PathBuf>, Vec<PathBuf>) {
 }
 
 /// Whether a path is that of a classifier, by its ending.
-pub fn is_rule(path: &Path) -> bool {
+pub fn is_classifier(path: &Path) -> bool {
     (path.extension()).is_some_and(|ending| ending.eq_ignore_ascii_case("json"))
 }
 
@@ -44,17 +44,17 @@ struct Wanted {
 
 /// Reads classifiers, one at a time; a later one takes the place of an earlier.
 #[derive(Default)]
-pub struct Rules {
-    reading: Option<(Job<CheckedRule, String>, Wanted)>,
+pub struct OpenedClassifiers {
+    reading: Option<(Job<CheckedClassifier, String>, Wanted)>,
     /// Read, and waiting for its study.
-    waiting: Option<(Arc<CheckedRule>, Wanted)>,
+    waiting: Option<(Arc<CheckedClassifier>, Wanted)>,
 }
 
-impl Rules {
+impl OpenedClassifiers {
     /// Begins to read one; `next` says whether it is for a study that was named with it.
     pub fn read(&mut self, state: &State, engine: &Engine, path: PathBuf, next: bool) {
         let opening = state.document.study.opening;
-        let job = engine.spawn_aside(move |_| read_rule(&path));
+        let job = engine.spawn_aside(move |_| read_classifier(&path));
         self.reading = Some((job, Wanted { opening, next }));
         self.waiting = None;
     }
@@ -75,7 +75,7 @@ impl Rules {
         }
         let (rule, _) = self.waiting.take()?;
         if next == is_new {
-            return Some(RuleCommand::Use(rule).into());
+            return Some(ClassifierCommand::Use(rule).into());
         }
         if is_new {
             let why = "another study was opened before it was read";
@@ -87,12 +87,12 @@ impl Rules {
 }
 
 /// A study and settings as they were when a classifier was to be trained on it.
-pub struct RuleExport {
+pub struct ClassifierExport {
     study: Arc<Study>,
-    query: RuleQuery,
+    query: TrainedClassifierQuery,
 }
 
-impl RuleExport {
+impl ClassifierExport {
     /// What `learn` writes, with the thresholds on screen.
     pub fn now(state: &State) -> Self {
         let mut verdicts = verdict_settings(&state.document);
@@ -100,7 +100,7 @@ impl RuleExport {
         verdicts.rule = None;
         Self {
             study: Arc::clone(state.document.study()),
-            query: RuleQuery::new(verdicts),
+            query: TrainedClassifierQuery::new(verdicts),
         }
     }
 
@@ -112,7 +112,7 @@ impl RuleExport {
         engine.start_export("Classifier", words, move |progress| {
             let rule = store.answer(&self.study, &self.query, progress);
             let rule = rule.map_err(interruption)?;
-            let file = rule_file(&rule, path).map_err(|error| error.to_string())?;
+            let file = classifier_file(&rule, path).map_err(|error| error.to_string())?;
             Ok(vec![file])
         });
     }
@@ -133,13 +133,13 @@ mod tests {
     #[test]
     fn a_classifier_among_paths_is_the_one_that_ends_in_json() {
         let paths = |names: &[&str]| names.iter().map(PathBuf::from).collect::<Vec<_>>();
-        let (rule, others) = split_rule(paths(&["study", "a.JSON"]));
+        let (rule, others) = split_classifier(paths(&["study", "a.JSON"]));
         assert_eq!(
             (rule, others),
             (Some(PathBuf::from("a.JSON")), paths(&["study"]))
         );
         let two = paths(&["a.json", "b.json"]);
-        assert_eq!(split_rule(two.clone()), (None, two));
+        assert_eq!(split_classifier(two.clone()), (None, two));
         assert_eq!(with_json_ending("a".into()), PathBuf::from("a.json"));
     }
 }

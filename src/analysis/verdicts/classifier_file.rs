@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::error::RuleError;
+use super::error::ClassifierError;
 
 /// What a file of a rule calls itself.
 pub(super) const FORMAT: &str = "cardiomorph rule";
@@ -12,33 +12,34 @@ pub(super) const VERSION: u32 = 1;
 /// A classifier with its training figures and the ranges of what it has seen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Rule {
+pub struct ClassifierFile {
     /// Says that it is a rule.
     pub format: String,
     /// Of this form.
     pub version: u32,
     /// Where it comes from; files of before have none of it.
     #[serde(default)]
-    pub origin: RuleOrigin,
+    pub origin: ClassifierOrigin,
     /// What it was learnt on, and how good it is, leave-one-out.
-    pub training: RuleTraining,
+    pub training: ClassifierTraining,
     /// The meshes that it was learnt on.
-    pub meshes: RuleMeshes,
+    pub meshes: ClassifierMeshes,
     /// What it reads, in the order of all weights: some or all of
     /// [`Feature::MODEL_FEATURES`](super::Feature::MODEL_FEATURES), in their order.
-    pub features: Vec<RuleFeature>,
+    pub features: Vec<ClassifierFeature>,
     /// How far its training subjects lie from their mean, in standard deviations of a feature: the quantiles 0, 5 … 100 %.
     pub distances: Vec<f64>,
     /// Abnormal against normal.
-    pub abnormal: RuleModel,
+    pub abnormal: ClassifierModel,
     /// One label against the rest, for each that could be told; empty with fewer than three.
-    pub kinds: Vec<RuleKind>,
+    #[serde(rename = "kinds")]
+    pub labels: Vec<ClassifierLabel>,
 }
 
 /// Where a rule comes from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RuleOrigin {
+pub struct ClassifierOrigin {
     /// Name of the study.
     pub study: String,
     /// Labels that count as normal there.
@@ -54,7 +55,7 @@ pub struct RuleOrigin {
 /// Training figures, leave-one-out.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RuleTraining {
+pub struct ClassifierTraining {
     /// Subjects of class normal.
     pub normal: usize,
     /// Of class abnormal.
@@ -68,13 +69,14 @@ pub struct RuleTraining {
     /// Abnormal subjects classified as normal.
     pub false_negatives: Option<usize>,
     /// Share whose most probable label is their own.
-    pub kind_accuracy: Option<f64>,
+    #[serde(rename = "kind_accuracy")]
+    pub label_accuracy: Option<f64>,
 }
 
 /// The meshes of a training set.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RuleMeshes {
+pub struct ClassifierMeshes {
     /// Whether they are those of walls, with an inner and an outer side, and not of cavities alone.
     pub walls: bool,
     /// Least and greatest number of vertices of a subject.
@@ -86,7 +88,7 @@ pub struct RuleMeshes {
 /// One feature, and how it is brought to a common scale.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RuleFeature {
+pub struct ClassifierFeature {
     /// In words.
     pub name: String,
     /// What it is counted in; empty for a ratio.
@@ -107,7 +109,7 @@ pub struct RuleFeature {
 /// 1 / (1 + exp(−slope × log odds − shift)).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RuleModel {
+pub struct ClassifierModel {
     /// Penalty on squared weights that was chosen.
     pub penalty: f64,
     /// Intercept.
@@ -125,19 +127,19 @@ pub struct RuleModel {
 /// The model of one label.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RuleKind {
+pub struct ClassifierLabel {
     /// The label.
     pub label: String,
     /// It against the rest.
-    pub model: RuleModel,
+    pub model: ClassifierModel,
 }
 
-impl Rule {
+impl ClassifierFile {
     /// A rule from the text of its file.
     ///
     /// # Errors
     /// Why the text is none, with line and column.
-    pub fn read(text: &str) -> Result<Self, RuleError> {
-        serde_json::from_str(text).map_err(|error| RuleError::Text(error.to_string()))
+    pub fn read(text: &str) -> Result<Self, ClassifierError> {
+        serde_json::from_str(text).map_err(|error| ClassifierError::Text(error.to_string()))
     }
 }

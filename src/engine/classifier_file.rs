@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crate::analysis::verdicts::{CheckedRule, Rule};
+use crate::analysis::verdicts::{CheckedClassifier, ClassifierFile};
 use crate::engine::export::ExportFile;
 use crate::report::pretty_json;
 
@@ -15,7 +15,7 @@ const MAX_BYTES: u64 = 4 << 20;
 ///
 /// # Errors
 /// If the file cannot be read, is none, or of another version: why, in which line, and which file.
-pub fn read_rule(path: &Path) -> Result<CheckedRule, String> {
+pub fn read_classifier(path: &Path) -> Result<CheckedClassifier, String> {
     let why = |error: &dyn std::fmt::Display| {
         format!(
             "cannot use the classifier file: {error}: {}",
@@ -27,7 +27,7 @@ pub fn read_rule(path: &Path) -> Result<CheckedRule, String> {
         .and_then(|file| file.take(MAX_BYTES).read_to_string(&mut text))
         .map_err(|error| why(&error))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let rule = Rule::read(&text).and_then(|rule| rule.check(&name));
+    let rule = ClassifierFile::read(&text).and_then(|rule| rule.check(&name));
     rule.map_err(|error| why(&error))
 }
 
@@ -35,7 +35,10 @@ pub fn read_rule(path: &Path) -> Result<CheckedRule, String> {
 ///
 /// # Errors
 /// If it cannot be written as JSON.
-pub fn rule_file(rule: &Rule, path: PathBuf) -> Result<ExportFile, serde_json::Error> {
+pub fn classifier_file(
+    rule: &ClassifierFile,
+    path: PathBuf,
+) -> Result<ExportFile, serde_json::Error> {
     let text = pretty_json(&serde_json::to_value(rule)?)?;
     Ok(ExportFile {
         path,

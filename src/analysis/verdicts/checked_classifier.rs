@@ -4,12 +4,12 @@ use crate::analysis::measures::wall_sides;
 use crate::study::{Subject, SurfaceKind};
 
 use super::classifier::{Calibration, Classifier, LeftOut, Model};
+use super::classifier_file::{ClassifierFile, ClassifierMeshes, ClassifierModel, FORMAT, VERSION};
 use super::cohort::Trained;
 use super::design::{Design, Standard};
-use super::error::RuleError;
+use super::error::ClassifierError;
 use super::feature::Feature;
 use super::result::{NotAssessed, TrainingSetDistance};
-use super::rule::{FORMAT, Rule, RuleMeshes, RuleModel, VERSION};
 use super::similarity::{distance_among, distance_from_mean};
 
 /// Meshes of as many times fewer vertices or poses than those of the training set are not comparable. Finer ones are: four
@@ -22,23 +22,23 @@ const TOO_FAR: f64 = 2.0;
 
 /// A rule that can be applied.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CheckedRule {
+pub struct CheckedClassifier {
     name: String,
-    rule: Rule,
+    rule: ClassifierFile,
     /// Places of what it reads among [`Feature::MODEL_FEATURES`].
     reads: Vec<usize>,
     trained: Trained,
 }
 
-impl Rule {
+impl ClassifierFile {
     /// Checks once that the rule is of this version, reads features of this program, and holds numbers alone. From now on it
     /// is called `name`.
     ///
     /// # Errors
     /// What of that does not hold.
-    pub fn check(self, name: &str) -> Result<CheckedRule, RuleError> {
+    pub fn check(self, name: &str) -> Result<CheckedClassifier, ClassifierError> {
         if self.format != FORMAT || self.version != VERSION {
-            return Err(RuleError::Form {
+            return Err(ClassifierError::Form {
                 format: self.format,
                 version: self.version,
             });
@@ -46,16 +46,17 @@ impl Rule {
         let place = |name: &str, unit: &str| {
             let mut all = Feature::MODEL_FEATURES.iter();
             let place = all.position(|own| (own.name(), own.unit().symbol()) == (name, unit));
-            place.ok_or_else(|| RuleError::Feature(format!("{name} {unit}").trim().to_owned()))
+            place
+                .ok_or_else(|| ClassifierError::Feature(format!("{name} {unit}").trim().to_owned()))
         };
         let reads = (self.features.iter())
             .map(|feature| place(&feature.name, &feature.unit))
             .collect::<Result<Vec<usize>, _>>()?;
         if reads.is_empty() || !reads.is_sorted_by(|a, b| a < b) {
-            return Err(RuleError::Order);
+            return Err(ClassifierError::Order);
         }
         let design = design(&self, &reads);
-        let models = || (self.kinds.iter().map(|kind| &kind.model)).chain([&self.abnormal]);
+        let models = || (self.labels.iter().map(|label| &label.model)).chain([&self.abnormal]);
         let whole = models().all(|model| {
             let numbers = [model.penalty, model.intercept, model.slope, model.shift];
             model.weights.len() == reads.len()
@@ -72,9 +73,9 @@ impl Rule {
             && self.distances.iter().all(|x| x.is_finite() && *x >= 0.0)
             && self.distances.is_sorted();
         if !(whole && scaled && known && seen && means.iter().all(|x| x.is_finite())) {
-            return Err(RuleError::Numbers);
+            return Err(ClassifierError::Numbers);
         }
-        let model = |model: &RuleModel| Model {
+        let model = |model: &ClassifierModel| Model {
             classifier: Classifier {
                 design: design.clone(),
                 coefficients: [
@@ -94,13 +95,13 @@ impl Rule {
         };
         let trained = Trained {
             abnormal: model(&self.abnormal),
-            kinds: (self.kinds.iter())
-                .map(|kind| (kind.label.clone(), model(&kind.model)))
+            label_models: (self.labels.iter())
+                .map(|label| (label.label.clone(), model(&label.model)))
                 .collect(),
             training_set: Vec::new(),
             quality: None,
         };
-        Ok(CheckedRule {
+        Ok(CheckedClassifier {
             name: name.to_owned(),
             rule: self,
             reads,
@@ -110,7 +111,7 @@ impl Rule {
 }
 
 /// How the features are brought to a common scale; one that the rule does not read is 0.
-fn design(rule: &Rule, reads: &[usize]) -> Design {
+fn design(rule: &ClassifierFile, reads: &[usize]) -> Design {
     let features = || rule.features.iter();
     let absences = || features().filter_map(|feature| feature.absence);
     let mut means = spread(reads, 0.0, features().map(|f| f.mean));
@@ -135,14 +136,14 @@ fn spread<T: Copy>(reads: &[usize], none: T, values: impl Iterator<Item = T>) ->
     all
 }
 
-impl CheckedRule {
+impl CheckedClassifier {
     /// What it is called.
     pub fn name(&self) -> &str {
         &self.name
     }
 
     /// The rule as it was written.
-    pub fn rule(&self) -> &Rule {
+    pub fn rule(&self) -> &ClassifierFile {
         &self.rule
     }
 
@@ -164,7 +165,7 @@ impl CheckedRule {
         subject: &Subject,
         row: &[Option<f64>],
     ) -> Option<NotAssessed> {
-        let RuleMeshes {
+        let ClassifierMeshes {
             walls,
             vertices,
             poses,
