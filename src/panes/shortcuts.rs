@@ -119,9 +119,9 @@ mod tests {
     const CTRL: Modifiers = Modifiers::COMMAND;
     const SHIFT: Modifiers = Modifiers::SHIFT;
 
-    fn pressed(modifiers: Modifiers, key: Key) -> Vec<Command> {
-        let ctx = Context::default();
-        let input = RawInput {
+    /// A key that goes down.
+    fn key_down(key: Key, modifiers: Modifiers) -> RawInput {
+        RawInput {
             events: vec![Event::Key {
                 key,
                 physical_key: None,
@@ -130,9 +130,15 @@ mod tests {
                 modifiers,
             }],
             ..Default::default()
-        };
+        }
+    }
+
+    fn pressed(modifiers: Modifiers, key: Key) -> Vec<Command> {
+        let ctx = Context::default();
         let mut commands = Vec::new();
-        let output = ctx.run_ui(input, |ui| commands = pressed_commands(ui.ctx()));
+        let output = ctx.run_ui(key_down(key, modifiers), |ui| {
+            commands = pressed_commands(ui.ctx());
+        });
         output.drop_without_applying_deltas();
         commands
     }
@@ -183,18 +189,8 @@ mod tests {
         let ctx = Context::default();
         ctx.add_plugin(TabForSubjects);
         let press = |key, modifiers, focus: bool| {
-            let input = RawInput {
-                events: vec![Event::Key {
-                    key,
-                    physical_key: None,
-                    pressed: true,
-                    repeat: false,
-                    modifiers,
-                }],
-                ..Default::default()
-            };
             let mut commands = Vec::new();
-            let output = ctx.run_ui(input, |ui| {
+            let output = ctx.run_ui(key_down(key, modifiers), |ui| {
                 commands = pressed_commands(ui.ctx());
                 let button = ui.button("Here");
                 if focus {

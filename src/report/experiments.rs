@@ -101,6 +101,30 @@ impl Row for NoiseRow {
     ];
 }
 
+/// The column of an accuracy or τ.
+macro_rules! share_of {
+    ($key:literal, $heading:literal, $what:ident) => {
+        column($key, $heading, |row: &Self| percent(row.$what.share))
+    };
+}
+
+/// The column of its standard error.
+macro_rules! error_of {
+    ($key:literal, $what:ident) => {
+        column($key, "±", |row: &Self| percent(row.$what.standard_error)).percent(ERROR)
+    };
+}
+
+/// The column of its mean over permuted labels.
+macro_rules! permuted {
+    ($key:literal, $what:ident) => {
+        column($key, "Permutation mean", |row: &Self| {
+            percent(row.$what.baseline)
+        })
+        .percent(PERMUTED)
+    };
+}
+
 impl Row for ComparisonRow {
     const FILES: &'static [&'static str] = &["metrics.csv"];
     const ROW: &'static str =
@@ -114,60 +138,34 @@ impl Row for ComparisonRow {
         column("labelled", "Labelled", |row: &Self| row.labelled.into())
             .plain("Number of subjects with a label"),
         column("copies", "Copies", |row: &Self| row.copies.into()).plain("Number of noisy copies"),
-        column(
+        share_of!(
             "nearest_neighbour_percent",
             "Nearest neighbour",
-            |row: &Self| percent(row.nearest_neighbour.share),
+            nearest_neighbour
         )
         .percent("Accuracy of the nearest-neighbour classifier, leave-one-out"),
-        column("nearest_neighbour_standard_error", "±", |row: &Self| {
-            percent(row.nearest_neighbour.standard_error)
-        })
-        .percent(ERROR),
-        column(
-            "nearest_neighbour_baseline",
-            "Permutation mean",
-            |row: &Self| percent(row.nearest_neighbour.baseline),
+        error_of!("nearest_neighbour_standard_error", nearest_neighbour),
+        permuted!("nearest_neighbour_baseline", nearest_neighbour),
+        share_of!(
+            "linear_rule_percent",
+            "Linear classifier",
+            linear_classifier
         )
-        .percent(PERMUTED),
-        column("linear_rule_percent", "Linear classifier", |row: &Self| {
-            percent(row.linear_classifier.share)
-        })
         .percent("Accuracy of the linear classifier on distances, leave-one-out"),
-        column("linear_rule_standard_error", "±", |row: &Self| {
-            percent(row.linear_classifier.standard_error)
-        })
-        .percent(ERROR),
-        column("linear_rule_baseline", "Permutation mean", |row: &Self| {
-            percent(row.linear_classifier.baseline)
-        })
-        .percent(PERMUTED),
-        column(
+        error_of!("linear_rule_standard_error", linear_classifier),
+        permuted!("linear_rule_baseline", linear_classifier),
+        share_of!(
             "plane_rule_percent",
             "Classifier on the 2-D embedding",
-            |row: &Self| percent(row.plane_classifier.share),
+            plane_classifier
         )
         .percent("Accuracy of the classifier on the 2-D embedding, leave-one-out"),
-        column("plane_rule_standard_error", "±", |row: &Self| {
-            percent(row.plane_classifier.standard_error)
-        })
-        .percent(ERROR),
-        column("plane_rule_baseline", "Permutation mean", |row: &Self| {
-            percent(row.plane_classifier.baseline)
-        })
-        .percent(PERMUTED),
-        column("tau_percent", "Cluster agreement τ", |row: &Self| {
-            percent(row.tau.share)
-        })
-        .percent("Cluster agreement τ: share of subjects whose cluster stands for their class"),
-        column("tau_standard_error", "±", |row: &Self| {
-            percent(row.tau.standard_error)
-        })
-        .percent(ERROR),
-        column("tau_baseline", "Permutation mean", |row: &Self| {
-            percent(row.tau.baseline)
-        })
-        .percent(PERMUTED),
+        error_of!("plane_rule_standard_error", plane_classifier),
+        permuted!("plane_rule_baseline", plane_classifier),
+        share_of!("tau_percent", "Cluster agreement τ", tau)
+            .percent("Cluster agreement τ: share of subjects whose cluster stands for their class"),
+        error_of!("tau_standard_error", tau),
+        permuted!("tau_baseline", tau),
     ];
 }
 

@@ -24,8 +24,18 @@ fn rows(count: usize) -> Vec<CohortRow> {
 }
 
 fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Command>> {
+    let visible = (0..count).collect();
+    harness_of(count, visible, "", selected)
+}
+
+/// A table of `count` subjects of which a search leaves some.
+fn harness_of(
+    count: usize,
+    visible: Vec<usize>,
+    search: &'static str,
+    selected: Option<usize>,
+) -> Harness<'static, Vec<Command>> {
     let rows = rows(count);
-    let visible: Vec<usize> = (0..count).collect();
     Harness::builder()
         .with_size([280.0, 400.0])
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
@@ -34,7 +44,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                 let view = CohortView {
                     rows: &rows,
                     visible: &visible,
-                    search: "",
+                    search,
                     sort: None,
                     selected,
                     compared: None,
@@ -221,27 +231,7 @@ fn the_menu_of_a_row_offers_both_directions() {
 
 /// What the table asks for when Esc is pressed, in its filter box or elsewhere.
 fn on_escape(search: &'static str, in_box: bool) -> Vec<Command> {
-    let rows = rows(3);
-    let mut harness = Harness::builder()
-        .with_size([280.0, 400.0])
-        .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
-        .build_ui_state(
-            move |ui, commands: &mut Vec<Command>| {
-                let view = CohortView {
-                    rows: &rows,
-                    visible: &[1],
-                    search,
-                    sort: None,
-                    selected: None,
-                    compared: None,
-                    measuring: false,
-                    classifying: false,
-                    ..CohortView::default()
-                };
-                cohort_table_ui(ui, &view, commands);
-            },
-            Vec::new(),
-        );
+    let mut harness = harness_of(3, vec![1], search, None);
     harness.run();
     if in_box {
         harness.get_by_label("Filter subjects").focus();
