@@ -335,6 +335,9 @@ pub enum Door {
 /// are answered here and end the program.
 pub fn chosen_door() -> Door {
     let cli = Cli::parse();
+    if cli.command.is_none() && !cli.columns {
+        crate::engine::compute_behind_window();
+    }
     crate::engine::configure_threads(cli.threads.map(usize::from));
     crate::engine::configure_memory(cli.memory.and_then(|mib| usize::try_from(mib).ok()));
     crate::engine::configure_limits(cli.limits.limits());

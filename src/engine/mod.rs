@@ -25,6 +25,7 @@ mod result_folder;
 mod stages;
 mod store;
 mod tables;
+mod thread_priority;
 mod typed_path;
 mod typefaces;
 mod wall_tables;
@@ -48,6 +49,7 @@ pub use store::{
     Store, StoreOptions, Urgency, configure_memory, default_budget,
 };
 pub use tables::{AnalysisTables, DistanceTable, TableSettings, columns_file, tables_of_study};
+pub use thread_priority::compute_behind_window;
 pub use typed_path::{CompletedPath, completed_path, typed_path};
 pub use typefaces::{SystemFace, system_face};
 pub use wall_tables::Unassessed;

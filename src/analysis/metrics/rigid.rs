@@ -86,6 +86,15 @@ impl Moments {
         }
     }
 
+    /// Σ w |rigid part of X|², from Σ w X and Σ w (p − p̄) × X: |Σ w X|² / Σ w + τᵀ J⁻¹ τ.
+    pub fn energy(&self, momentum: Vector3, torque: Vector3) -> f64 {
+        let drift = match self.total > 0.0 {
+            true => momentum.norm_squared() / self.total,
+            false => 0.0,
+        };
+        drift + torque.dot(&(self.inverse * torque))
+    }
+
     /// The rigid field of Σ w X and Σ w (p − p̄) × X.
     pub fn motion(&self, momentum: Vector3, torque: Vector3) -> RigidField {
         let drift = match self.total > 0.0 {

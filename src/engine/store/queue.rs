@@ -8,6 +8,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread::{Builder, JoinHandle};
 
 use crate::engine::store::work::{Work, lock};
+use crate::engine::thread_priority::take_place;
 
 /// The order in which queued work begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -141,7 +142,10 @@ impl Queue {
     fn add_thread(self: &Arc<Self>, inner: &mut Inner) -> std::io::Result<()> {
         let queue = Arc::clone(self);
         let name = format!("store-{}", inner.threads.len());
-        let thread = Builder::new().name(name).spawn(move || queue.serve())?;
+        let thread = Builder::new().name(name).spawn(move || {
+            take_place();
+            queue.serve();
+        })?;
         inner.threads.push(thread);
         Ok(())
     }

@@ -1,10 +1,12 @@
 //! Laws that every metric of the list obeys, and the invariances that each states.
 
+use nalgebra::Rotation3;
+
 use crate::analysis::metrics::{
-    Corners, CurvatureMean, Form, METRICS, Metric, MetricParams, PairScratch, PathEnergy,
-    Regulariser, bent,
+    Corners, CurvatureMean, Form, METRICS, Metric, MetricKind, MetricParams, PairScratch,
+    PathEnergy, Regulariser, bent,
 };
-use crate::mesh::{TriMesh, Vector3, phantom};
+use crate::mesh::{Point3, TriMesh, Vector3, phantom};
 
 const FORMS: [Form; 4] = [Form::Printed, Form::Bilinear, Form::Frozen, Form::Additive];
 
@@ -111,6 +113,40 @@ fn distances_are_symmetric_and_not_zero_for_a_bend() {
         let back = metric.pair(&b, &a, &mut scratch).distance();
         assert!((there - back).abs() <= 1e-12 * there, "{params:?}");
         assert!(there > 0.0, "{params:?}");
+    }
+}
+
+/// A pair is compared where a rigid motion lays the second pose, without moving it: the same as moving it first.
+#[test]
+fn a_pose_that_is_laid_costs_what_it_costs_where_it_lies() {
+    let (mesh, turn) = (bowl(), Rotation3::new(Vector3::new(0.4, -1.1, 0.7)));
+    let shift = Vector3::new(0.3, 2.0, -0.5);
+    let there = bent(mesh.vertices(), 0.1, 2.0);
+    let laid: Vec<Point3> = there.iter().map(|p| turn * p + shift).collect();
+    for params in all_params() {
+        let metric = Metric::new(mesh.faces(), params.check().unwrap());
+        let [a, b, moved] = [mesh.vertices(), &there, &laid].map(|p| metric.prepare(p).unwrap());
+        let mut scratch = PairScratch::default();
+        let found = metric.pair_moved(&a, &b, turn.matrix(), &shift, &mut scratch);
+        let known = metric.pair(&a, &moved, &mut scratch);
+        for (found, known) in [
+            (found.norm2_a, known.norm2_a),
+            (found.norm2_b, known.norm2_b),
+        ] {
+            assert!(
+                (found - known).abs() <= 1e-10 * known,
+                "{found} {known} {params:?}"
+            );
+        }
+        if params.kind == MetricKind::Displacement {
+            let way = |from: &[Point3], to: &[Point3]| -> Vec<Vector3> {
+                from.iter().zip(to).map(|(p, q)| q - p).collect()
+            };
+            let at_a = metric.norm2(&a, &way(mesh.vertices(), &laid));
+            let at_b = metric.norm2(&moved, &way(&laid, mesh.vertices()));
+            assert!((found.norm2_a - at_a).abs() <= 1e-10 * at_a, "{params:?}");
+            assert!((found.norm2_b - at_b).abs() <= 1e-10 * at_b, "{params:?}");
+        }
     }
 }
 
