@@ -10,6 +10,7 @@ pub mod app;
 pub mod cli;
 pub mod document;
 pub mod engine;
+pub mod image;
 pub mod io;
 pub mod mesh;
 pub mod panes;

@@ -18,12 +18,13 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("progress", &[]),
     ("numeric", &["progress"]),
     ("mesh", &["units", "numeric"]),
+    ("image", &["units", "progress", "numeric", "mesh"]),
     ("study", &["units", "mesh"]),
     (
         "analysis",
-        &["units", "progress", "numeric", "mesh", "study"],
+        &["units", "progress", "numeric", "mesh", "image", "study"],
     ),
-    ("io", &["units", "progress", "mesh", "study"]),
+    ("io", &["units", "progress", "mesh", "image", "study"]),
     (
         "report",
         &["units", "progress", "mesh", "study", "analysis"],
@@ -31,7 +32,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "engine",
         &[
-            "units", "progress", "numeric", "mesh", "study", "analysis", "io", "report",
+            "units", "progress", "numeric", "mesh", "image", "study", "analysis", "io", "report",
         ],
     ),
     ("render", &["units", "mesh"]),
@@ -65,8 +66,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
-            "units", "progress", "mesh", "study", "analysis", "io", "report", "engine", "render",
-            "picture",
+            "units", "progress", "mesh", "image", "study", "analysis", "io", "report", "engine",
+            "render", "picture",
         ],
     ),
     ("main", &[]),
@@ -76,6 +77,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
 const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("mod.rs", &[]),
     ("alignment", &[]),
+    ("surface_extraction", &[]),
+    ("registration", &["alignment"]),
     ("measures", &[]),
     ("medial", &["measures"]),
     ("medial_space", &["medial"]),
@@ -107,6 +110,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
             "classification",
         ],
     ),
+    ("walls_from_masks", &[]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),

@@ -13,10 +13,10 @@ use crate::panes::Command;
 use super::path_question::{AskPaths, PathQuestion, Then};
 use super::typed_paths::TypedPaths;
 
-/// Extensions of files that can be opened: studies, and pictures that hold a view.
+/// Extensions of files that can be opened: studies, masks, and pictures that hold a view.
 fn readable() -> Vec<&'static str> {
     let mut extensions = openable_extensions();
-    extensions.extend(["png", "svg", "pdf"]);
+    extensions.extend(["nii", "gz", "nrrd", "mha", "mhd", "png", "svg", "pdf"]);
     extensions
 }
 

@@ -9,12 +9,15 @@ use clap::{Args, Parser, Subcommand};
 use crate::analysis::verdicts::Feature;
 use crate::cli::experiment_args::ExperimentCommand;
 use crate::cli::figure_args::FigureArgs;
+use crate::cli::image::ImageArgs;
 use crate::cli::limit_options::LimitOptions;
 use crate::cli::map_options::MapOptions;
 use crate::cli::medial::MedialArgs;
+use crate::cli::mesh::MeshArgs;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
+use crate::cli::register::RegisterArgs;
 use crate::cli::words::{
     AlignWord, DistancesWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch, UnitWord, feature,
 };
@@ -53,6 +56,10 @@ pub enum Command {
     Demo(DemoArgs),
     /// Lists the contents of a study: subjects, frames, vertices, defects
     Info(InfoArgs),
+    /// Lists the series of images in files and folders: grid, times, gates, values
+    Image(ImageArgs),
+    /// Makes walls from masks, as a study on disk
+    Mesh(MeshArgs),
     /// Runs the whole analysis: tables, maps, summary, figures, report
     Analyze(AnalyzeArgs),
     /// Trains a classifier on the labelled subjects of a study and writes it, for `analyze --rule`
@@ -65,6 +72,8 @@ pub enum Command {
     Metric(MetricArgs),
     /// Computes interpolated (geodesic) poses between two meshes in correspondence
     Interpolate(InterpolateArgs),
+    /// Moves one mesh onto another: rigid motion, similarity, iterated closest points, thin-plate spline
+    Register(RegisterArgs),
     /// Transports the motion of one subject onto another (parallel transport)
     Transfer(TransferArgs),
     /// Embeds items by their distances, or points

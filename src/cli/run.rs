@@ -7,8 +7,8 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::{print, say};
 use crate::cli::work::hear_ctrl_c;
 use crate::cli::{
-    analyze, demo, embed, experiment, figure, info, interpolate, learn, measure, medial, metric,
-    transfer,
+    analyze, demo, embed, experiment, figure, image, info, interpolate, learn, measure, medial,
+    mesh, metric, register, transfer,
 };
 use crate::report::all_columns_md;
 
@@ -18,12 +18,15 @@ pub fn run(command: Command) -> ExitCode {
     exit_code(match command {
         Command::Demo(args) => demo::demo(&args),
         Command::Info(args) => info::info(&args),
+        Command::Image(args) => image::image(&args),
         Command::Analyze(args) => analyze::analyze(&args),
         Command::Learn(args) => learn::learn(&args),
         Command::Measure(args) => measure::measure(&args),
+        Command::Mesh(args) => mesh::mesh(&args),
         Command::Medial(args) => medial::medial(&args),
         Command::Metric(args) => metric::metric(&args),
         Command::Interpolate(args) => interpolate::interpolate(&args),
+        Command::Register(args) => register::register(&args),
         Command::Transfer(args) => transfer::transfer(&args),
         Command::Embed(args) => embed::embed(&args),
         Command::Figure(args) => figure::figure(&args),

@@ -23,6 +23,12 @@ pub struct Limits {
     pub unpacked_times: u64,
     /// Bytes of memory that the meshes of all files of a study may take beyond eight times the size of their files.
     pub unpacked_in_study: u64,
+    /// Voxels of one image over all its volumes; each takes four bytes.
+    pub voxels: u64,
+    /// Voxels of all images that are held at once.
+    pub voxels_in_all: u64,
+    /// Files and folders that are looked at in a folder of images.
+    pub image_files: usize,
     /// Whether links that lead out of a study are followed.
     pub follow_links: bool,
 }
@@ -30,7 +36,8 @@ pub struct Limits {
 impl Default for Limits {
     /// 512 MiB a file, 5 million vertices, 10 million faces, 10,000 corners a polygon, 1,000 frames, 16 million
     /// vertices over all frames of one file, 1,000 parts of a scene, 1,000 pieces, 32 bytes from one in a file, 1 GiB beyond
-    /// eight bytes from one in a study, and no links out of it: ten times the finest hearts that are published, and well inside the memory of a small machine. zlib makes 5 bytes of one
+    /// eight bytes from one in a study, 268 million voxels an image (1 GiB) and four times as many in all images, 50,000
+    /// files in a folder of images, and no links out of it: ten times the finest hearts that are published, and well inside the memory of a small machine. zlib makes 5 bytes of one
     /// where cells are offsets of 64 bits, and 8 where they are a regular grid; 1,000 only where all are zero.
     fn default() -> Self {
         Self {
@@ -44,6 +51,9 @@ impl Default for Limits {
             pieces: 1_000,
             unpacked_times: 32,
             unpacked_in_study: 1 << 30,
+            voxels: 1 << 28,
+            voxels_in_all: 1 << 30,
+            image_files: 50_000,
             follow_links: false,
         }
     }

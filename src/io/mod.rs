@@ -1,36 +1,60 @@
-//! Bytes to study and study to bytes: one file per format of meshes.
+//! Bytes to study and study to bytes: one file per format of meshes, one folder per format of images.
 
 mod binary_cursor;
 mod csv_mesh;
+mod data_files;
 mod detect;
+mod dicom;
 mod formats;
 mod gltf_file;
+mod image_file;
+mod image_formats;
+#[cfg(test)]
+mod image_samples;
+mod image_source;
+mod image_times;
 mod limits;
+mod mask_study;
 mod mesh_draft;
 mod mesh_file;
+mod metaimage;
+mod nifti;
+mod nrrd;
 mod obj;
 mod open;
 mod opened;
+mod packed;
 mod ply;
 mod stl;
 #[cfg(test)]
 mod tests;
 mod text_encoding;
 mod text_lines;
+mod voxels;
 mod vtk_legacy;
 mod vtp;
 mod write_study;
 mod xml;
 
 pub use detect::{read_mesh, read_mesh_with_siblings};
+pub use dicom::{
+    ContouredStructure, DicomReading, LeftOut, SliceSource, read_dicom, read_dicom_bytes,
+};
 pub use formats::{MeshFormat, mesh_file_endings, mesh_format_names, openable_extensions};
+pub use image_file::{Gates, ImageSeries, Modality, Provenance, ReadImageError, neutral_name};
+pub use image_formats::{image_format_names, is_image_head, read_image};
+pub use image_source::Sibling;
 pub use limits::{
     Limits, MAX_XML_ATTRIBUTES, MAX_XML_ATTRIBUTES_IN_ALL, MAX_XML_NAMESPACES, MAX_XML_NODES,
+};
+pub use mask_study::{
+    MaskFacts, MaskFiles, MaskKind, MaskSeries, MaskStudyError, find_mask_studies, read_masks,
 };
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
 pub use open::{
-    OpenListener, looks_openable, open_paths, open_paths_in_stages, read_head, read_mesh_file,
+    FoundImage, ImageReport, OpenListener, each_image, looks_like_image, looks_openable,
+    open_paths, open_paths_in_stages, read_head, read_image_file, read_images, read_mesh_file,
     renew_cohort_notices,
 };
 pub use opened::{OpenError, Opened};

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::experiments::NoiseRow;
+use super::fits::FitRow;
 use super::maps::{DeformationRow, MedialPoseRow, PoseRow, distances_described};
 use super::measures::{FrameRow, SubjectRow};
 use super::medial_atoms::MedialAtomRow;
@@ -37,6 +38,7 @@ pub fn all_tables() -> Vec<TableWords> {
         described::<PartnerRow>(),
         described::<MedialNoiseCell>(),
         described::<LocalisationRow>(),
+        described::<FitRow>(),
     ]
 }
 

@@ -7,6 +7,7 @@ mod column;
 mod dictionary;
 mod experiment_json;
 mod experiments;
+mod fits;
 mod maps;
 mod measures;
 mod medial_atoms;
@@ -32,6 +33,7 @@ pub use column::{Cell, Column, ColumnWords, Digits, NO_VALUE, Unit};
 pub use dictionary::{all_columns_md, all_tables, columns_md};
 pub use experiment_json::{comparison_json, noise_json, partners_json};
 pub use experiments::NoiseRow;
+pub use fits::FitRow;
 pub use maps::{
     DeformationRow, MedialPoseRow, PoseRow, coordinates_csv, distances_csv, distances_json,
 };

@@ -5,9 +5,13 @@ mod columns;
 #[cfg(test)]
 mod figures;
 #[cfg(test)]
+mod image;
+#[cfg(test)]
 mod learn;
 #[cfg(test)]
 mod medial;
+#[cfg(test)]
+pub mod mesh;
 mod metrics;
 #[cfg(test)]
 mod noise_medial;
@@ -17,6 +21,8 @@ mod output;
 pub mod patch_figures;
 #[cfg(test)]
 mod refusals;
+#[cfg(test)]
+mod register;
 #[cfg(test)]
 mod shape_space;
 #[cfg(test)]

@@ -29,6 +29,14 @@ mod real_data;
 #[cfg(test)]
 mod real_deformations;
 #[cfg(test)]
+mod real_dicom;
+#[cfg(test)]
+mod real_dicom_damage;
+#[cfg(test)]
+mod real_dicom_tables;
+#[cfg(test)]
+mod real_images;
+#[cfg(test)]
 mod real_measures;
 #[cfg(test)]
 mod real_mesh_files;
@@ -42,6 +50,8 @@ mod real_paths;
 mod real_thickness;
 #[cfg(test)]
 mod real_verdicts;
+#[cfg(test)]
+mod real_walls;
 #[cfg(test)]
 mod robustness;
 #[cfg(test)]

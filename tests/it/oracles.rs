@@ -5,6 +5,8 @@ mod classes;
 #[cfg(test)]
 mod explicit_paths;
 #[cfg(test)]
+mod images;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod medial;

@@ -207,6 +207,8 @@ pub const EXCEPTIONS: &[(&str, &str, &str)] = &[
         "key that scripts read",
     ),
     ("src/cli/info.rs", "notices", "key that scripts read"),
+    ("src/cli/image.rs", "notices", "key that scripts read"),
+    ("src/cli/mesh.rs", "notices", "key that scripts read"),
     ("src/cli/args.rs", "in-betweens", "option that scripts use"),
     (
         "src/cli/experiment_args.rs",

@@ -229,7 +229,10 @@ impl<'a> Search<'a> {
             }
             return Ok(());
         }
-        self.images += files.iter().filter(|file| is_image(&file.path)).count();
+        self.images += files
+            .iter()
+            .filter(|file| looks_like_image(&file.path))
+            .count();
         let mut files = files;
         let Sheets {
             sheets,
@@ -310,9 +313,10 @@ pub(super) fn identity(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| path.to_owned())
 }
 
-fn is_image(path: &Path) -> bool {
+/// Whether the ending of a file is that of an image.
+pub fn looks_like_image(path: &Path) -> bool {
     let name = name_of(path).to_ascii_lowercase();
-    [".nii", ".nii.gz", ".dcm", ".nrrd", ".mha"]
+    [".nii", ".nii.gz", ".dcm", ".nrrd", ".nhdr", ".mha", ".mhd"]
         .iter()
         .any(|ending| name.ends_with(ending))
 }

@@ -6,6 +6,7 @@
 
 mod copies;
 mod file_name;
+mod find_images;
 mod find_sequences;
 mod folder_contents;
 mod folders;
@@ -24,6 +25,7 @@ mod patterns;
 mod plan;
 mod plausible;
 mod read_file;
+mod read_images;
 mod read_subjects;
 mod readings;
 mod seams;
@@ -43,7 +45,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use find_sequences::looks_openable;
+pub use find_sequences::{looks_like_image, looks_openable};
 
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
@@ -54,6 +56,7 @@ use folder_contents::folder_name;
 use group_files::stem;
 use labels::unite_labels;
 pub use read_file::{read_head, read_mesh_file};
+pub use read_images::{FoundImage, ImageReport, each_image, read_image_file, read_images};
 pub use stages::OpenListener;
 use subject_ids::make_ids_unique;
 

@@ -125,7 +125,7 @@ pub(super) fn read_mesh_at(path: &Path, bytes: &[u8], limits: &Limits) -> Result
 
 /// Parsers of other people may panic on damage that nobody foresaw; that must cost one file, not
 /// all the others that are read beside it.
-fn unless_it_panics<T>(read: impl FnOnce() -> T) -> Result<T, String> {
+pub(super) fn unless_it_panics<T>(read: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(read))
         .map_err(|_| "too damaged to read (a fault of this program)".to_owned())
 }

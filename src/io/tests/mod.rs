@@ -3,6 +3,7 @@
 mod attacks;
 mod by_hand;
 mod damage;
+mod damaged_images;
 mod gltf_by_hand;
 mod no_numbers;
 mod other_habits;

@@ -19,24 +19,37 @@ const ARC_PIECES: usize = 256;
 
 /// Place of a vertex on a surface of the wall, the same in every subject, layer and frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct GridPoint {
+pub struct GridPoint {
     /// Share of the eccentric angle from the apex (0) to the base (1).
     pub eccentric_share: f64,
     /// Angle around the long axis from the middle of the septum towards the anterior wall.
     pub around_rad: f64,
 }
 
+impl GridPoint {
+    /// Share of the long axis from the apex (0) to the base (1) at which the reference ellipse has the vertex.
+    pub fn length_share(&self) -> f64 {
+        let below = |share: f64| 1.0 - (REFERENCE_BASE_RAD * share).cos();
+        below(self.eccentric_share) / below(1.0)
+    }
+}
+
 /// Vertices of one surface and their triangles, wound so that normals point away from the axis.
 #[derive(Clone, Debug)]
-pub(super) struct WallGrid {
+pub struct WallGrid {
+    /// Places of the vertices, from the apex to the base, ring by ring.
     pub points: Vec<GridPoint>,
+    /// The triangles.
     pub faces: Arc<Faces>,
     /// Vertices of the rim, the last ones of `points`.
     pub rim: usize,
 }
 
 impl WallGrid {
-    /// The finest grid of at most `vertices` vertices, at least 61.
+    /// The finest grid of at most `vertices` vertices, at least 55.
+    ///
+    /// # Errors
+    /// None for a count that fits into memory: the faces refer to the vertices made here.
     pub fn new(vertices: usize) -> Result<Self, MeshError> {
         // The tube is about 2.5 times as long as the cap is deep, so that a grid whose cap has
         // m rings has near 3m² + 2.5m · 6m = 18m² vertices.

@@ -19,5 +19,6 @@ mod timing;
 mod truth;
 
 pub use cohort::{BUILT_IN_NAME, BuiltInCohort, cohort};
+pub use grid::{GridPoint, WallGrid};
 pub use params::{BuiltInError, BuiltInParams, FRAMES, MAX_VERTICES};
 pub use truth::{Abnormality, GroundTruth, SurfaceTruth};

@@ -29,6 +29,10 @@ const COLUMNS: &[(&str, &str)] = &[
     ),
     ("medial_mds.csv", "subject,step_from,step_to,patch,x,y"),
     (
+        "fit.csv",
+        "subject,frame,surface,mean_mm,p95_mm,foldovers,volume_ml,mask_volume_ml",
+    ),
+    (
         "atoms.csv",
         "subject,frame,vertex,x,y,z,r,pt,in_patch,regular,patch",
     ),

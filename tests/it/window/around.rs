@@ -160,3 +160,27 @@ fn a_pane_whose_tab_has_no_room_is_opened_from_the_menu_of_its_strip() {
     harness.run_steps(3);
     assert!(tab(&harness, "Verdict") && !tab(&harness, "Measures"));
 }
+
+#[test]
+fn a_folder_of_masks_let_go_over_the_window_becomes_beating_walls() {
+    let folder = tempfile::tempdir().unwrap();
+    crate::cli::mesh::cohort(folder.path());
+    let mut harness = cohort_window();
+    harness
+        .input_mut()
+        .dropped_files
+        .push(Arc::new(Dropped(folder.path().to_owned())));
+    wait(&mut harness, "the walls", |app| {
+        app.state().document.study().subjects.len() == 2 && !app.hearts_on_screen().is_empty()
+    });
+    assert!(harness.state().state().errors.is_empty());
+    let study = harness.state().state().document.study();
+    assert_eq!(study.subjects[0].id, "a1");
+    assert_eq!(study.subjects[0].sequence.frame_count(), 2);
+    let notices = &study.subjects[0].notices;
+    let made = |text: &str| text.starts_with("walls made from masks");
+    assert!(
+        notices.iter().any(|notice| made(&notice.text)),
+        "{notices:?}"
+    );
+}

@@ -2,6 +2,7 @@
 
 mod faults;
 mod habits;
+mod images;
 #[cfg(unix)]
 mod links;
 mod stages;

@@ -1,0 +1,258 @@
+//! A cohort of masks on disk to a study of walls in correspondence.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use crate::analysis::walls_from_masks::{
+    CheckedWallParams, MaskError, MaskLabels, Masks, SurfaceFit, WallError, walls_from_masks,
+};
+use crate::io::{
+    ImageSeries, Limits, MaskFiles, MaskSeries, MaskStudyError, OpenError, find_mask_studies,
+    read_masks,
+};
+use crate::progress::{Progress, Stopped};
+use crate::study::{CycleTiming, LabelClasses, Notice, Study, Subject};
+use crate::units::{LengthUnit, Seconds};
+
+/// How masks become walls; by default with the labels of ACDC.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MaskWallSettings {
+    /// Which values of label images stand for which tissue.
+    pub labels: MaskLabels,
+    /// Settings of the surfaces.
+    pub walls: CheckedWallParams,
+}
+
+/// Walls of a cohort.
+#[derive(Clone, Debug, Default)]
+pub struct MaskWalls {
+    /// Subjects whose walls could be made.
+    pub study: Study,
+    /// How the surfaces lie on the masks, with the subject's id.
+    pub fits: Vec<(String, SurfaceFit)>,
+    /// One for each file or subject that gave no walls.
+    pub errors: Vec<OpenError>,
+}
+
+/// Why a subject has no walls.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+enum SubjectError {
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+    #[error(transparent)]
+    Read(MaskStudyError),
+    #[error(transparent)]
+    Masks(#[from] MaskError),
+    #[error(transparent)]
+    Walls(WallError),
+}
+
+impl From<MaskStudyError> for SubjectError {
+    fn from(error: MaskStudyError) -> Self {
+        match error {
+            MaskStudyError::Stopped(stopped) => Self::Stopped(stopped),
+            other => Self::Read(other),
+        }
+    }
+}
+
+impl From<WallError> for SubjectError {
+    fn from(error: WallError) -> Self {
+        match error {
+            WallError::Stopped(stopped) => Self::Stopped(stopped),
+            other => Self::Walls(other),
+        }
+    }
+}
+
+/// Labels of the ACDC challenge by their classes; hearts with an abnormal right ventricle alone are neither.
+const NORMAL: [&str; 1] = ["NOR"];
+const ABNORMAL: [&str; 3] = ["MINF", "DCM", "HCM"];
+
+/// Makes the walls of all masks below paths. A subject that cannot be made is an error in the answer, and the rest
+/// goes on.
+///
+/// # Errors
+/// Only if it was asked to stop.
+pub fn mask_walls(
+    paths: &[PathBuf],
+    settings: &MaskWallSettings,
+    limits: &Limits,
+    progress: &Progress,
+) -> Result<MaskWalls, Stopped> {
+    progress.begin_phase("looking for masks", 0.0, 0.02);
+    let (found, errors) = find_mask_studies(paths, limits, progress)?;
+    progress.begin_phase("walls from masks", 0.02, 1.0);
+    progress.expect_steps(found.len());
+    let made: Vec<Result<Walled, SubjectError>> = (found.par_iter())
+        .map(|files| {
+            let walled = walled(files, settings, limits, &progress.within());
+            progress.step()?;
+            walled
+        })
+        .collect();
+    let mut walls = MaskWalls {
+        errors,
+        ..MaskWalls::default()
+    };
+    for (files, walled) in found.iter().zip(made) {
+        match walled {
+            Ok((subject, fits)) => {
+                walls
+                    .fits
+                    .extend(fits.into_iter().map(|fit| (subject.id.clone(), fit)));
+                walls.study.subjects.push(Arc::new(subject));
+            }
+            Err(SubjectError::Stopped(stopped)) => return Err(stopped),
+            Err(SubjectError::Read(MaskStudyError::File(error))) => walls.errors.push(OpenError {
+                subject: Some(files.id.clone()),
+                ..error
+            }),
+            Err(error) => walls.errors.push(OpenError {
+                subject: Some(files.id.clone()),
+                path: files.folder.clone(),
+                reason: format!("{}: {error}", files.id),
+            }),
+        }
+    }
+    walls.study.name = study_name(paths);
+    walls.study.label_classes = label_classes(&walls.study.subjects);
+    Ok(walls)
+}
+
+/// A subject and how its surfaces lie on its masks.
+type Walled = (Subject, Vec<SurfaceFit>);
+
+fn walled(
+    files: &MaskFiles,
+    settings: &MaskWallSettings,
+    limits: &Limits,
+    progress: &Progress,
+) -> Result<Walled, SubjectError> {
+    let series = read_masks(files, limits, progress)?;
+    let (masks, drawn) = joined(&series, &settings.labels)?.drawn()?;
+    let walls = walls_from_masks(&masks, &settings.walls, progress)?;
+    let unit = match series.images.iter().all(ImageSeries::spacing_known) {
+        true => LengthUnit::Millimetre,
+        false => LengthUnit::FileUnit,
+    };
+    let mut subject = Subject::new(files.id.clone(), walls.sequence, unit);
+    let facts = &series.facts;
+    subject.label = facts.label.clone();
+    subject.height_cm = facts.height_cm;
+    subject.weight_kg = facts.weight_kg;
+    subject.anatomy = walls.anatomy;
+    let numbers = numbers(&series, &drawn);
+    let place = |number: Option<u32>| numbers.iter().position(|&n| Some(n) == number);
+    subject.end_diastole = place(facts.end_diastole);
+    subject.end_systole = place(facts.end_systole);
+    subject.timing = timing(&series, &drawn);
+    for image in &series.images {
+        for notice in &image.notices {
+            if !subject.notices.contains(notice) {
+                subject.notices.push(notice.clone());
+            }
+        }
+    }
+    let all: usize = series
+        .images
+        .iter()
+        .map(|image| image.image.volumes().len())
+        .sum();
+    if !series.pair && drawn.len() < all {
+        subject.notices.push(Notice::info(format!(
+            "{} of {all} volumes have a mask: the others were left out",
+            drawn.len()
+        )));
+    }
+    subject.notices.extend(walls.notices);
+    subject.notices.extend(how_made(&walls.fits));
+    Ok((subject, walls.fits))
+}
+
+/// That the walls come from masks, and how near they are to them.
+fn how_made(fits: &[SurfaceFit]) -> Option<Notice> {
+    let worst = |of: fn(&SurfaceFit) -> f64| fits.iter().map(of).reduce(f64::max);
+    let (mean, p95) = (worst(|fit| fit.mean_mm)?, worst(|fit| fit.p95_mm)?);
+    let volume = worst(|fit| (fit.volume_ml / fit.mask_volume_ml - 1.0).abs())?;
+    Some(Notice::info(format!(
+        "walls made from masks: distance of their outlines from the surfaces at most {mean:.1} mm in the mean and {p95:.1} mm \
+         at the 95th percentile, volumes within {:.1} %",
+        100.0 * volume
+    )))
+}
+
+/// The masks of all frames.
+fn joined(series: &MaskSeries, labels: &MaskLabels) -> Result<Masks, MaskError> {
+    if let (true, [endo, epi]) = (series.pair, series.images.as_slice()) {
+        return Masks::from_pair(&endo.image, &epi.image);
+    }
+    let parts = series
+        .images
+        .iter()
+        .map(|image| Masks::from_labels(&image.image, labels));
+    Masks::joined(parts.collect::<Result<_, _>>()?)
+}
+
+/// The number of each frame that was kept: that of its file's name, or its place in the file counted from 1.
+fn numbers(series: &MaskSeries, drawn: &[usize]) -> Vec<u32> {
+    let one_each = series
+        .images
+        .iter()
+        .all(|image| image.image.volumes().len() == 1);
+    let named = |place: usize| match one_each && !series.pair {
+        true => series.frame_numbers.get(place).copied().flatten(),
+        false => None,
+    };
+    let number = |&place: &usize| named(place).or(u32::try_from(place + 1).ok()).unwrap_or(0);
+    drawn.iter().map(number).collect()
+}
+
+/// Times of the frames that were kept, and the length of the beat, where one file with all volumes says them.
+fn timing(series: &MaskSeries, drawn: &[usize]) -> CycleTiming {
+    let [first, rest @ ..] = series.images.as_slice() else {
+        return CycleTiming::default();
+    };
+    if !(series.pair || rest.is_empty()) || !first.times_known() {
+        return CycleTiming::default();
+    }
+    let times = first.image.times_ms().unwrap_or_default();
+    let kept: Option<Vec<f64>> = drawn
+        .iter()
+        .map(|&n| Some(times.get(n)? / 1000.0))
+        .collect();
+    let cycle_ms = first.gates.as_ref().and_then(|gates| gates.cycle_ms);
+    CycleTiming {
+        frame_times_s: kept.filter(|times| times.len() > 1),
+        rr: cycle_ms.map(|ms| Seconds(ms / 1000.0)),
+    }
+}
+
+/// The name of the one folder or file, without its ending.
+fn study_name(paths: &[PathBuf]) -> String {
+    match paths {
+        [one] => one
+            .file_stem()
+            .map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+        _ => "Walls from masks".to_owned(),
+    }
+}
+
+/// Classes of labels that are known, beside those that every study has.
+fn label_classes(subjects: &[Arc<Subject>]) -> LabelClasses {
+    let mut classes = LabelClasses::default();
+    let occurs = |name: &&&str| subjects.iter().any(|s| s.label.as_deref() == Some(**name));
+    let [normal, abnormal] = [&NORMAL[..], &ABNORMAL[..]].map(|names| {
+        names
+            .iter()
+            .filter(occurs)
+            .map(|name| (*name).to_owned())
+            .collect::<Vec<_>>()
+    });
+    if !normal.is_empty() || !abnormal.is_empty() {
+        classes = LabelClasses { normal, abnormal };
+    }
+    classes
+}

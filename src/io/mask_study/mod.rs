@@ -1,0 +1,13 @@
+//! Masks of a cohort on disk: folders such as `patient001/patient001_frame01_gt.nii.gz` with or without an `Info.cfg`, and pairs
+//! `NAME_endo.nii.gz`, `NAME_epi.nii.gz`.
+
+mod find;
+mod info;
+mod name;
+mod read;
+#[cfg(test)]
+mod tests;
+
+pub use find::{MaskFiles, MaskKind, find_mask_studies};
+pub use info::MaskFacts;
+pub use read::{MaskSeries, MaskStudyError, read_masks};
