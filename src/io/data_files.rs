@@ -53,6 +53,9 @@ pub(super) fn names_by_pattern(
     Ok((0..=more).map(name).collect())
 }
 
+/// Where the values of a file begin, given its bytes and its share: at which of its bytes, and after how many unpacked ones.
+pub(super) type Begin<'a> = dyn Fn(&[u8], u64) -> (usize, u64) + 'a;
+
 /// The values of all files one after the other, unpacked; each holds the same share of `expected` bytes.
 ///
 /// `begin` says where the values of a file begin, in its bytes as they are, and how many unpacked bytes are skipped then.
@@ -65,11 +68,11 @@ pub(super) fn joined_files(
     field: &'static str,
     packing: Packing,
     expected: u64,
-    begin: &dyn Fn(&[u8], u64) -> (usize, u64),
+    begin: &Begin<'_>,
 ) -> Result<Vec<u8>, ReadImageError> {
     let count = names.len() as u64;
     let wrong = |reason: String| ReadImageError::DataFile { field, reason };
-    if count == 0 || count > MAX_FILES as u64 || expected % count != 0 {
+    if count == 0 || count > MAX_FILES as u64 || !expected.is_multiple_of(count) {
         return Err(wrong(format!(
             "{count} files cannot share {expected} bytes of values"
         )));

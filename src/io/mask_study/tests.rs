@@ -115,7 +115,7 @@ fn a_file_that_is_named_needs_no_special_name() {
         assert_eq!((subjects.len(), errors.len()), (0, 1));
         assert!(errors[0].reason.starts_with(reason), "{errors:?}");
     }
-    let (_, errors) = found(&folder(&["image.nii.gz"]).path().to_owned());
+    let (_, errors) = found(folder(&["image.nii.gz"]).path());
     assert!(errors[0].reason.starts_with("no masks were found here"));
 }
 
