@@ -33,7 +33,7 @@ pub enum ReorientationError {
 
 /// The smallest rotation that takes a direction to z; for −z, where all half turns are as small, that about x.
 ///
-/// With n the direction and v = n × z, R = I + [v]× + [v]×² / (1 + n·z) (Rodrigues), written so that nothing cancels near −z. `None` if there is no direction.
+/// With n the direction and v = n × z, R = I + \[v\]× + \[v\]×² / (1 + n·z) (Rodrigues), written so that nothing cancels near −z. `None` if there is no direction.
 pub fn rotation_to_z(direction: Vector3) -> Option<Matrix3<f64>> {
     // Scaled first, so that the squares of very small and large numbers are neither lost nor too large.
     let greatest = direction.amax();
