@@ -41,7 +41,7 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
         empty_pane_ui(
             ui,
             "No subjects",
-            "Open mesh files, a folder of them or a study",
+            "Open meshes or masks, a folder of them or a study",
             |ui| {
                 command_button_ui(ui, "Open folder…", FileCommand::ChooseFolder, commands);
                 let name = "Open the built-in cohort";

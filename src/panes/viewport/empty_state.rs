@@ -43,7 +43,7 @@ pub fn empty_state_ui(ui: &mut Ui, view: &EmptyStateView, commands: &mut Vec<Com
         );
         ui.add_space(space::SMALL);
         let what = format!(
-            "Mesh sequences of left ventricles ({}), a folder of them, or a study.toml",
+            "Mesh sequences of left ventricles ({}), masks of them (NIfTI, NRRD, MetaImage), a folder of either, or a study.toml",
             mesh_format_names().join(", ")
         );
         ui.scope(|ui| {
