@@ -188,7 +188,8 @@ fn tables_that_are_stopped_leave_those_of_an_earlier_run_whole() {
     // Stopped, the same holds.
     std::fs::remove_dir(tables.join("medial_mds.csv")).unwrap();
     let before = content();
-    give(&mut harness, export().into());
+    // In one frame: between two the export might end.
+    harness.state_mut().push(export().into());
     give(&mut harness, WorkCommand::Cancel(Topic::EXPORT).into());
     wait(&mut harness, "the end", |app| !app.busy());
     harness.run_steps(5);
