@@ -167,18 +167,28 @@ fn walled(
             drawn.len()
         )));
     }
+    subject.notices.extend(files.notices.iter().cloned());
     subject.notices.extend(walls.notices);
-    subject.notices.extend(how_made(&walls.fits));
+    let labels = (!series.pair).then_some(&settings.labels);
+    subject.notices.extend(how_made(&walls.fits, labels));
     Ok((subject, walls.fits))
 }
 
-/// That the walls come from masks, and how near they are to them.
-fn how_made(fits: &[SurfaceFit]) -> Option<Notice> {
+/// That the walls come from masks, by which labels if there are some, and how near they are to them.
+fn how_made(fits: &[SurfaceFit], labels: Option<&MaskLabels>) -> Option<Notice> {
+    let labels = labels.map_or_else(String::new, |labels| {
+        let right =
+            (labels.right).map_or_else(String::new, |label| format!(", {label} right ventricle"));
+        format!(
+            " (label {} cavity, {} wall{right})",
+            labels.cavity, labels.wall
+        )
+    });
     let worst = |of: fn(&SurfaceFit) -> f64| fits.iter().map(of).reduce(f64::max);
     let (mean, p95) = (worst(|fit| fit.mean_mm)?, worst(|fit| fit.p95_mm)?);
     let volume = worst(|fit| (fit.volume_ml / fit.mask_volume_ml - 1.0).abs())?;
     Some(Notice::info(format!(
-        "walls made from masks: distance of their outlines from the surfaces at most {mean:.1} mm in the mean and {p95:.1} mm \
+        "walls made from masks{labels}: distance of their outlines from the surfaces at most {mean:.1} mm in the mean and {p95:.1} mm \
          at the 95th percentile, volumes within {:.1} %",
         100.0 * volume
     )))

@@ -199,6 +199,20 @@ pub enum ReadImageError {
     Image(#[from] ImageError),
 }
 
+impl ReadImageError {
+    /// Refuses more voxels than `most`.
+    pub(super) fn unless_voxels_fit(count: u64, most: u64) -> Result<(), Self> {
+        match count > most {
+            true => Err(Self::TooMany {
+                what: "voxels",
+                count,
+                most,
+            }),
+            false => Ok(()),
+        }
+    }
+}
+
 impl From<crate::image::FrameError> for ReadImageError {
     fn from(error: crate::image::FrameError) -> Self {
         Self::Image(error.into())

@@ -45,6 +45,31 @@ pub(super) fn says(series: &ImageSeries, words: &str) -> bool {
     series.notices.iter().any(|note| note.text.contains(words))
 }
 
+/// So many numbers from 0 as 16 bits each, the values of the small files.
+pub(super) fn sixteen_bits(count: usize) -> Vec<u8> {
+    counted_up(count, Scalar::I16, ByteOrder::Little)
+}
+
+/// The same as they are read.
+pub(super) fn numbers(from: usize, to: usize) -> Vec<f32> {
+    (from..to).map(|number| number as f32).collect()
+}
+
+/// Lines of a header, each a name and a value, some of them replaced by their names and others added; a change without a
+/// value takes its line out.
+pub(super) fn changed_lines(
+    lines: &[&'static str],
+    separator: char,
+    changes: &[&'static str],
+) -> Vec<&'static str> {
+    let name = |line: &str| line.split(separator).next().unwrap().trim().to_owned();
+    let kept = lines
+        .iter()
+        .filter(|line| !changes.iter().any(|change| name(change) == name(line)));
+    let added = changes.iter().filter(|change| !change.ends_with(separator));
+    kept.chain(added).copied().collect()
+}
+
 pub(super) fn gzipped(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::fast());
     encoder.write_all(bytes).unwrap();

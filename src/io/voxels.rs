@@ -79,13 +79,7 @@ impl VolumeOrder {
             });
         }
         let all = (size.iter().chain([&volumes])).fold(1_u64, |n, &by| n.saturating_mul(by as u64));
-        if all > limits.voxels {
-            return Err(ReadImageError::TooMany {
-                what: "voxels",
-                count: all,
-                most: limits.voxels,
-            });
-        }
+        ReadImageError::unless_voxels_fit(all, limits.voxels)?;
         let (faster, slower) = size.split_at(place.min(3));
         Ok(Self {
             inner: faster.iter().product(),

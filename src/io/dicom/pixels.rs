@@ -36,13 +36,7 @@ impl Pixels {
     pub(super) fn new(file: &DicomFile, most: usize) -> Result<Self, ReadImageError> {
         let set = file.data_set();
         let layout = Layout::new(&set)?;
-        if layout.pixels_in_all() > most as u64 {
-            return Err(ReadImageError::TooMany {
-                what: "voxels",
-                count: layout.pixels_in_all(),
-                most: most as u64,
-            });
-        }
+        ReadImageError::unless_voxels_fit(layout.pixels_in_all(), most as u64)?;
         let Some(element) = set.element(layout.pixels) else {
             return Err(unsupported("it holds no pixels"));
         };

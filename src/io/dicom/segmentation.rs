@@ -98,7 +98,7 @@ pub(super) fn segmentation_series(
         return Ok(vec![series("segmentation (labels)", values)?]);
     }
     let all = (frame.voxel_count() as u64).saturating_mul(segments.len() as u64);
-    check(all, most)?;
+    ReadImageError::unless_voxels_fit(all, most)?;
     let full = set.number(MAXIMUM_FRACTION).filter(|&full| full > 0.0);
     let mark = match fractions {
         true => Mark::Share(full.unwrap_or(255.0)),
@@ -214,17 +214,6 @@ fn slices_of(
     Ok((slices, places))
 }
 
-fn check(count: u64, most: u64) -> Result<(), ReadImageError> {
-    if count > most {
-        return Err(ReadImageError::TooMany {
-            what: "voxels",
-            count,
-            most,
-        });
-    }
-    Ok(())
-}
-
 /// The values of a frame; "nothing here" is no label.
 fn values(frame: &SegmentFrame<'_>) -> Result<Vec<f32>, ReadImageError> {
     let plain = Rescale {
@@ -245,7 +234,7 @@ fn labels(
     frame: &VolumeFrame,
     most: u64,
 ) -> Result<Option<Vec<f32>>, ReadImageError> {
-    check(frame.voxel_count() as u64, most)?;
+    ReadImageError::unless_voxels_fit(frame.voxel_count() as u64, most)?;
     let mut volume = vec![0.0_f32; frame.voxel_count()];
     let slice_size = frame.size()[0] * frame.size()[1];
     for (&number, frames) in segments {
@@ -275,7 +264,7 @@ fn volume_of(
     mark: Mark,
     most: u64,
 ) -> Result<Vec<f32>, ReadImageError> {
-    check(frame.voxel_count() as u64, most)?;
+    ReadImageError::unless_voxels_fit(frame.voxel_count() as u64, most)?;
     let mut volume = vec![0.0_f32; frame.voxel_count()];
     let slice_size = frame.size()[0] * frame.size()[1];
     for one in frames {

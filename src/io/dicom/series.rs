@@ -146,14 +146,7 @@ pub(super) fn instants_of(stack: &Stack) -> usize {
 
 fn check_size(frame: &VolumeFrame, instants: usize, most: u64) -> Result<(), ReadImageError> {
     let count = (frame.voxel_count() as u64).saturating_mul(instants as u64);
-    if count > most {
-        return Err(ReadImageError::TooMany {
-            what: "voxels",
-            count,
-            most,
-        });
-    }
-    Ok(())
+    ReadImageError::unless_voxels_fit(count, most)
 }
 
 /// The values of all slices at one instant.

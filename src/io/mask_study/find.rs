@@ -5,9 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::name::{MaskName, MaskRole, mask_name, stem};
+use crate::io::open::unique_ids;
 use crate::io::{Limits, OpenError};
 use crate::progress::{Progress, Stopped};
-use crate::study::natural_order;
+use crate::study::{Notice, natural_order};
 
 /// Masks of one subject.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,6 +21,8 @@ pub struct MaskFiles {
     pub kind: MaskKind,
     /// Whether no other subject's masks lie in the folder, so that what is said there is said of this one.
     pub alone: bool,
+    /// What there is to say about its id.
+    pub notices: Vec<Notice>,
 }
 
 /// How masks are kept.
@@ -208,6 +211,7 @@ impl Walk<'_> {
                     folder: folder.clone(),
                     kind,
                     alone: true,
+                    notices: Vec::new(),
                 })),
                 Err((path, reason)) => {
                     self.errors.push(OpenError {
@@ -273,21 +277,21 @@ fn counts<T: std::hash::Hash + Eq>(of: impl Iterator<Item = T>) -> HashMap<T, us
     counts
 }
 
-/// Names of folders before ids that occur twice, and numbers behind those that still do.
+/// Ids of their own, as subjects of meshes get them.
 fn distinct_ids(found: &mut [MaskFiles]) {
-    let ids = counts(found.iter().map(|files| files.id.clone()));
-    let mut taken = HashSet::new();
-    for files in found {
-        if ids.get(&files.id) != Some(&1)
-            && let Some(folder) = files.folder.file_name()
-        {
-            files.id = format!("{}_{}", folder.to_string_lossy(), files.id);
-        }
-        let id = files.id.clone();
-        let mut number = 2;
-        while !taken.insert(files.id.clone()) {
-            files.id = format!("{id}_{number}");
-            number += 1;
-        }
+    let places: Vec<PathBuf> = (found.iter())
+        .map(|files| match files.folder.file_name() {
+            Some(name) if name.to_string_lossy() == files.id => files.folder.clone(),
+            // Its own folder is the one that its files would have.
+            _ => files.folder.join(&files.id),
+        })
+        .collect();
+    let named: Vec<(&str, &Path)> = (found.iter().zip(&places))
+        .map(|(files, place)| (files.id.as_str(), place.as_path()))
+        .collect();
+    let unique = unique_ids(&named);
+    for (files, (id, notices)) in found.iter_mut().zip(unique) {
+        files.id = id;
+        files.notices = notices;
     }
 }

@@ -92,7 +92,7 @@ fn pairs_are_found_and_halves_of_pairs_are_told() {
 fn equal_names_in_two_folders_are_two_subjects() {
     let cohort = folder(&["one/mask_gt.nii", "two/mask_gt.nii", "two/other_gt.nii"]);
     let (subjects, _) = found(cohort.path());
-    assert_eq!(ids(&subjects), ["one_mask", "two_mask", "other"]);
+    assert_eq!(ids(&subjects), ["one/mask", "two/mask", "other"]);
     assert_eq!(
         subjects.iter().map(|s| s.alone).collect::<Vec<_>>(),
         [true, false, false]
@@ -100,6 +100,23 @@ fn equal_names_in_two_folders_are_two_subjects() {
     let twice = folder(&["a_frame1_gt.nii", "a_frame01_gt.nii.gz"]);
     let (subjects, errors) = found(twice.path());
     assert_eq!((subjects.len(), errors.len()), (0, 1));
+}
+
+#[test]
+fn rest_and_stress_of_one_patient_are_told_apart_by_their_folders() {
+    let cohort = folder(&[
+        "rest/p1/p1_gt.nii",
+        "stress/p1/p1_gt.nii",
+        "rest/p2/p2_gt.nii",
+    ]);
+    let (subjects, _) = found(cohort.path());
+    assert_eq!(ids(&subjects), ["rest/p1", "p2", "stress/p1"]);
+    assert!(subjects.iter().all(|subject| subject.notices.is_empty()));
+    let cohort = folder(&["a/p1/p1_gt.nii", "b/a/p1/p1_gt.nii"]);
+    let (subjects, _) = found(cohort.path());
+    assert_eq!(ids(&subjects), ["a/p1", "a/p1 (2)"]);
+    let text = &subjects[1].notices[0].text;
+    assert!(text.contains("another subject has the id"), "{text}");
 }
 
 #[test]

@@ -4,36 +4,24 @@ use std::collections::BTreeMap;
 
 use crate::io::binary_cursor::{ByteOrder, Scalar};
 use crate::io::image_samples::{
-    counted_up, gzipped, metaimage, read, read_beside, says, values, zlibbed,
+    changed_lines, counted_up, gzipped, metaimage, numbers, read, read_beside, says, sixteen_bits,
+    values, zlibbed,
 };
 use crate::io::{ImageSeries, Modality, Provenance};
 use crate::mesh::{Point3, Vector3};
 
-const STILL: [&str; 6] = [
+const STILL: [&str; 7] = [
     "NDims = 3",
     "DimSize = 2 3 2",
     "ElementType = MET_SHORT",
     "ElementSpacing = 2 3 5",
     "TransformMatrix = 0 1 0 -1 0 0 0 0 1",
     "Offset = 1 2 3",
+    "BinaryDataByteOrderMSB = False",
 ];
 
-fn stored(count: usize) -> Vec<u8> {
-    counted_up(count, Scalar::I16, ByteOrder::Little)
-}
-
-fn numbers(from: usize, to: usize) -> Vec<f32> {
-    (from..to).map(|number| number as f32).collect()
-}
-
-/// The header with some of its lines replaced by their keys, and others added.
 fn header(changes: &[&'static str]) -> Vec<&'static str> {
-    let key = |line: &str| line.split('=').next().unwrap().trim().to_owned();
-    let mut lines: Vec<&str> = STILL.to_vec();
-    lines.push("BinaryDataByteOrderMSB = False");
-    lines.retain(|line| !changes.iter().any(|change| key(change) == key(line)));
-    lines.extend(changes.iter().filter(|change| !change.ends_with('=')));
-    lines
+    changed_lines(&STILL, '=', changes)
 }
 
 fn with(changes: &[&'static str], values: &[u8]) -> ImageSeries {
@@ -41,14 +29,20 @@ fn with(changes: &[&'static str], values: &[u8]) -> ImageSeries {
 }
 
 fn refused(changes: &[&'static str]) -> String {
-    read("a.mha", &metaimage(&header(changes), "LOCAL", &stored(24)))
-        .unwrap_err()
-        .to_string()
+    read(
+        "a.mha",
+        &metaimage(&header(changes), "LOCAL", &sixteen_bits(24)),
+    )
+    .unwrap_err()
+    .to_string()
 }
 
 #[test]
 fn a_volume_stands_where_its_header_says() {
-    let series = with(&["Modality = MET_MOD_MR", "Comment = SEEDED"], &stored(12));
+    let series = with(
+        &["Modality = MET_MOD_MR", "Comment = SEEDED"],
+        &sixteen_bits(12),
+    );
     assert_eq!(values(&series), [numbers(0, 12)]);
     let frame = series.image.frame();
     assert_eq!(frame.origin(), Point3::new(1.0, 2.0, 3.0));
@@ -78,8 +72,8 @@ fn a_volume_stands_where_its_header_says() {
         "ElementSpacing =",
         "ElementSize = 2 3 5",
     ];
-    assert_eq!(with(&other_names, &stored(12)).image, series.image);
-    let centimetres = with(&["DistanceUnits = cm"], &stored(12));
+    assert_eq!(with(&other_names, &sixteen_bits(12)).image, series.image);
+    let centimetres = with(&["DistanceUnits = cm"], &sixteen_bits(12));
     assert_eq!(centimetres.image.frame().spacing(), [20.0, 30.0, 50.0]);
 }
 
@@ -87,11 +81,11 @@ fn a_volume_stands_where_its_header_says() {
 fn what_the_header_does_not_say_is_told() {
     let bare = with(
         &["TransformMatrix =", "Offset =", "ElementSpacing ="],
-        &stored(12),
+        &sixteen_bits(12),
     );
     assert!(!bare.position_known && !bare.spacing_known());
     assert_eq!(bare.image.frame().spacing(), [1.0; 3]);
-    let order = with(&["BinaryDataByteOrderMSB ="], &stored(12));
+    let order = with(&["BinaryDataByteOrderMSB ="], &sixteen_bits(12));
     assert!(says(&order, "which byte comes first"));
 }
 
@@ -106,26 +100,29 @@ fn a_fourth_axis_is_one_of_time_whose_unit_is_assumed() {
                 "Offset = 1 2 3 0",
                 step,
             ],
-            &stored(24),
+            &sixteen_bits(24),
         )
     };
     let seconds = four("ElementSpacing = 2 3 5 0.25");
     assert_eq!(values(&seconds), [numbers(0, 12), numbers(12, 24)]);
     assert_eq!(seconds.image.times_ms(), Some(&[0.0, 250.0][..]));
     assert_eq!(seconds.times, Provenance::UnitAssumed);
-    assert_eq!(seconds.image.frame(), with(&[], &stored(12)).image.frame());
+    assert_eq!(
+        seconds.image.frame(),
+        with(&[], &sixteen_bits(12)).image.frame()
+    );
     assert!(!four("ElementSpacing = 2 3 5 1").times_known());
 }
 
 #[test]
 fn values_are_unpacked_turned_scaled_and_read_as_text() {
-    let expected = with(&[], &stored(12)).image;
+    let expected = with(&[], &sixteen_bits(12)).image;
     assert_eq!(
-        with(&["CompressedData = True"], &zlibbed(&stored(12))).image,
+        with(&["CompressedData = True"], &zlibbed(&sixteen_bits(12))).image,
         expected
     );
     assert_eq!(
-        with(&["CompressedData = True"], &gzipped(&stored(12))).image,
+        with(&["CompressedData = True"], &gzipped(&sixteen_bits(12))).image,
         expected
     );
     let big = counted_up(12, Scalar::I16, ByteOrder::Big);
@@ -150,7 +147,7 @@ fn values_are_unpacked_turned_scaled_and_read_as_text() {
             "ElementToIntensityFunctionSlope = 0.5",
             "ElementToIntensityFunctionOffset = 10",
         ],
-        &stored(12),
+        &sixteen_bits(12),
     );
     assert_eq!(values(&scaled)[0][3], 11.5);
     assert!(says(&scaled, "0.5 × stored number + 10"));
@@ -158,8 +155,8 @@ fn values_are_unpacked_turned_scaled_and_read_as_text() {
 
 #[test]
 fn values_may_stand_in_one_file_or_several() {
-    let expected = with(&[], &stored(12)).image;
-    let all = stored(12);
+    let expected = with(&[], &sixteen_bits(12)).image;
+    let all = sixteen_bits(12);
     let others = BTreeMap::from([
         ("a.raw", all.clone()),
         ("b.raw", [&b"head"[..], &all].concat()),

@@ -3,11 +3,14 @@
 use std::collections::BTreeMap;
 
 use crate::io::binary_cursor::{ByteOrder, Scalar};
-use crate::io::image_samples::{counted_up, gzipped, nrrd, read, read_beside, says, values};
+use crate::io::image_samples::{
+    changed_lines, counted_up, gzipped, nrrd, numbers, read, read_beside, says, sixteen_bits,
+    values,
+};
 use crate::io::{ImageSeries, Provenance};
 use crate::mesh::{Point3, Vector3};
 
-const STILL: [&str; 7] = [
+const STILL: [&str; 8] = [
     "type: int16",
     "dimension: 3",
     "space: LPS",
@@ -15,24 +18,11 @@ const STILL: [&str; 7] = [
     "space directions: (0,2,0) (-3,0,0) (0,0,5)",
     "space origin: (1,2,3)",
     "endian: little",
+    "encoding: raw",
 ];
 
-fn stored(count: usize) -> Vec<u8> {
-    counted_up(count, Scalar::I16, ByteOrder::Little)
-}
-
-fn numbers(from: usize, to: usize) -> Vec<f32> {
-    (from..to).map(|number| number as f32).collect()
-}
-
-/// The header with some of its lines replaced by their names, and others added.
 fn header(changes: &[&'static str]) -> Vec<&'static str> {
-    let name = |line: &str| line.split(':').next().unwrap().to_owned();
-    let mut lines: Vec<&str> = STILL.to_vec();
-    lines.push("encoding: raw");
-    lines.retain(|line| !changes.iter().any(|change| name(change) == name(line)));
-    lines.extend(changes.iter().filter(|change| !change.ends_with(':')));
-    lines
+    changed_lines(&STILL, ':', changes)
 }
 
 fn with(changes: &[&'static str], values: &[u8]) -> ImageSeries {
@@ -40,14 +30,14 @@ fn with(changes: &[&'static str], values: &[u8]) -> ImageSeries {
 }
 
 fn refused(changes: &[&'static str]) -> String {
-    read("a.nrrd", &nrrd(&header(changes), &stored(24)))
+    read("a.nrrd", &nrrd(&header(changes), &sixteen_bits(24)))
         .unwrap_err()
         .to_string()
 }
 
 #[test]
 fn every_world_places_the_same_voxels() {
-    let expected = with(&[], &stored(12));
+    let expected = with(&[], &sixteen_bits(12));
     assert_eq!(values(&expected), [numbers(0, 12)]);
     let frame = expected.image.frame();
     assert_eq!(frame.origin(), Point3::new(1.0, 2.0, 3.0));
@@ -81,20 +71,20 @@ fn every_world_places_the_same_voxels() {
         ],
     ] {
         assert_eq!(
-            with(&changes, &stored(12)).image,
+            with(&changes, &sixteen_bits(12)).image,
             expected.image,
             "{changes:?}"
         );
     }
-    let centimetres = with(&["space units: \"cm\" \"cm\" \"cm\""], &stored(12));
+    let centimetres = with(&["space units: \"cm\" \"cm\" \"cm\""], &sixteen_bits(12));
     assert_eq!(
         centimetres.image.frame().origin(),
         Point3::new(10.0, 20.0, 30.0)
     );
     assert_eq!(centimetres.spacing, Provenance::Stated);
-    let scanner = with(&["space: 3D-right-handed"], &stored(12));
+    let scanner = with(&["space: 3D-right-handed"], &sixteen_bits(12));
     assert!(!scanner.position_known);
-    assert!(!with(&["space origin:"], &stored(12)).position_known);
+    assert!(!with(&["space origin:"], &sixteen_bits(12)).position_known);
     assert!(refused(&["space: LPP"]).contains("`lpp` is no world"));
 }
 
@@ -110,7 +100,7 @@ fn an_axis_of_volumes_may_be_first_or_last() {
             times[0],
             times[1],
         ],
-        &stored(24),
+        &sixteen_bits(24),
     );
     assert_eq!(values(&last), [numbers(0, 12), numbers(12, 24)]);
     assert_eq!(last.image.times_ms(), Some(&[0.0, 300.0][..]));
@@ -155,7 +145,7 @@ fn an_axis_of_volumes_may_be_first_or_last() {
             "space origin: (1,2,3,0)",
             "space units: \"mm\" \"mm\" \"mm\" \"ms\"",
         ],
-        &stored(24),
+        &sixteen_bits(24),
     );
     assert_eq!(in_space.image, last.image);
 }
@@ -167,17 +157,20 @@ fn times_that_are_not_there_are_not_made_up() {
         "sizes: 2 3 2 2",
         "space directions: (0,2,0) (-3,0,0) (0,0,5) none",
     ];
-    let none = with(&base, &stored(24));
+    let none = with(&base, &sixteen_bits(24));
     assert!(!none.times_known() && says(&none, "no times"));
     let mut numbered = base.to_vec();
     numbered.push("axis 3 index values:=0 1");
-    assert!(says(&with(&numbered, &stored(24)), "numbered"));
+    assert!(says(&with(&numbered, &sixteen_bits(24)), "numbered"));
     let mut words = base.to_vec();
     words.extend(["axis 3 index type:=text", "axis 3 index values:=ED ES"]);
-    assert!(says(&with(&words, &stored(24)), "words for an index"));
+    assert!(says(&with(&words, &sixteen_bits(24)), "words for an index"));
     let mut few = base.to_vec();
     few.push("axis 3 index values:=0 10 20");
-    assert!(says(&with(&few, &stored(24)), "one number for each volume"));
+    assert!(says(
+        &with(&few, &sixteen_bits(24)),
+        "one number for each volume"
+    ));
 }
 
 #[test]
@@ -185,7 +178,7 @@ fn spacings_alone_give_no_place_and_their_absence_is_told() {
     let spacings = |line| {
         with(
             &["space directions:", "space origin:", "space:", line],
-            &stored(12),
+            &sixteen_bits(12),
         )
     };
     let said = spacings("spacings: 2 3 5");
@@ -204,7 +197,7 @@ fn spacings_alone_give_no_place_and_their_absence_is_told() {
             "spacings: 2 3 5 0.3",
             "units: \"mm\" \"mm\" \"mm\" \"s\"",
         ],
-        &stored(24),
+        &sixteen_bits(24),
     );
     assert_eq!(four.image.times_ms(), Some(&[0.0, 300.0][..]));
     assert!(four.spacing == Provenance::Stated && says(&four, "the last one is taken"));
@@ -212,15 +205,15 @@ fn spacings_alone_give_no_place_and_their_absence_is_told() {
 
 #[test]
 fn values_are_unpacked_skipped_to_and_read_as_text() {
-    let expected = with(&[], &stored(12)).image;
+    let expected = with(&[], &sixteen_bits(12)).image;
     assert_eq!(
-        with(&["encoding: gzip"], &gzipped(&stored(12))).image,
+        with(&["encoding: gzip"], &gzipped(&sixteen_bits(12))).image,
         expected
     );
     assert_eq!(
         with(
             &["encoding: gz", "byte skip: 3"],
-            &gzipped(&[&b"abc"[..], &stored(12)].concat())
+            &gzipped(&[&b"abc"[..], &sixteen_bits(12)].concat())
         )
         .image,
         expected
@@ -228,7 +221,7 @@ fn values_are_unpacked_skipped_to_and_read_as_text() {
     assert_eq!(
         with(
             &["line skip: 1", "byteskip: 2"],
-            &[&b"a line\nxy"[..], &stored(12)].concat()
+            &[&b"a line\nxy"[..], &sixteen_bits(12)].concat()
         )
         .image,
         expected
@@ -236,7 +229,7 @@ fn values_are_unpacked_skipped_to_and_read_as_text() {
     assert_eq!(
         with(
             &["byte skip: -1"],
-            &[&b"anything"[..], &stored(12)].concat()
+            &[&b"anything"[..], &sixteen_bits(12)].concat()
         )
         .image,
         expected
@@ -256,7 +249,7 @@ fn values_are_unpacked_skipped_to_and_read_as_text() {
         let name = line.trim_start_matches("encoding: ");
         assert!(refused(&[line]).contains(&format!("packed as {name}, which is not read")));
     }
-    let cut = read("a.nrrd", &nrrd(&header(&[]), &stored(11)))
+    let cut = read("a.nrrd", &nrrd(&header(&[]), &sixteen_bits(11)))
         .unwrap_err()
         .to_string();
     assert!(
@@ -267,8 +260,8 @@ fn values_are_unpacked_skipped_to_and_read_as_text() {
 
 #[test]
 fn values_may_stand_in_one_file_or_several() {
-    let expected = with(&[], &stored(12)).image;
-    let all = stored(12);
+    let expected = with(&[], &sixteen_bits(12)).image;
+    let all = sixteen_bits(12);
     let others = BTreeMap::from([
         ("a.raw", all.clone()),
         ("s1", all[..12].to_vec()),

@@ -59,6 +59,7 @@ pub use read_file::{read_head, read_mesh_file};
 pub use read_images::{FoundImage, ImageReport, each_image, read_image_file, read_images};
 pub use stages::OpenListener;
 use subject_ids::make_ids_unique;
+pub(in crate::io) use subject_ids::unique_ids;
 
 /// Opens studies, folders, series and mesh files, together as one study.
 ///

@@ -9,60 +9,68 @@ use super::plan::SubjectPlan;
 use super::read_file::name_of;
 use crate::study::Notice;
 
-/// Gives subjects of one name the name of the folder around it too, and a number where that does not help.
+/// Gives subjects ids of their own: see [`unique_ids`].
 pub(super) fn make_ids_unique(plans: &mut [SubjectPlan]) {
+    let named: Vec<(&str, &Path)> = (plans.iter())
+        .map(|plan| (plan.id.as_str(), plan.place.as_path()))
+        .collect();
+    let unique = unique_ids(&named);
+    for (plan, (id, notices)) in plans.iter_mut().zip(unique) {
+        plan.id = id;
+        plan.notices.extend(notices);
+    }
+}
+
+/// An id of its own for each subject, from what it is called and where it lies, with what there is to say about it:
+/// subjects of one name get the name of the folder around theirs too, and a number where that does not help.
+pub(in crate::io) fn unique_ids(named: &[(&str, &Path)]) -> Vec<(String, Vec<Notice>)> {
+    // One name is one id, whichever system wrote its letters.
+    let mut ids: Vec<String> = named.iter().map(|(id, _)| composed(id)).collect();
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-    for plan in plans.iter_mut() {
-        // One name is one id, whichever system wrote its letters.
-        plan.id = composed(&plan.id);
+    for id in &ids {
+        *counts.entry(id.clone()).or_default() += 1;
     }
-    for plan in plans.iter() {
-        *counts.entry(plan.id.clone()).or_default() += 1;
-    }
-    for plan in plans.iter_mut() {
-        let own_folder = plan
-            .place
+    for (id, (_, place)) in ids.iter_mut().zip(named) {
+        let own_folder = place
             .ancestors()
-            .find(|place| composed(&name_of(place)) == plan.id);
-        if counts.get(&plan.id).is_some_and(|&count| count > 1)
+            .find(|place| composed(&name_of(place)) == *id);
+        if counts.get(id).is_some_and(|&count| count > 1)
             && let Some(around) = own_folder.and_then(Path::parent).map(folder_name)
             && !around.is_empty()
         {
-            plan.id = format!("{around}/{}", plan.id);
+            *id = format!("{around}/{id}");
         }
     }
     let mut taken: HashSet<String> = HashSet::new();
     // where the search for a free number goes on, so that many subjects of one id are numbered in one go
     let mut next: HashMap<String, usize> = HashMap::new();
-    for plan in plans.iter_mut() {
-        let id = plan.id.clone();
-        let number = next.entry(id.clone()).or_insert(2);
-        while !taken.insert(plan.id.clone()) {
-            plan.id = format!("{id} ({number})");
+    let mut unique: Vec<(String, Vec<Notice>)> = Vec::with_capacity(ids.len());
+    for id in ids {
+        let (mut own, number) = (id.clone(), next.entry(id.clone()).or_insert(2));
+        while !taken.insert(own.clone()) {
+            own = format!("{id} ({number})");
             *number += 1;
         }
-        if plan.id != id {
-            plan.notices.push(Notice::warning(format!(
-                "another subject has the id {id:?} too: this one is shown as {:?}",
-                plan.id
-            )));
-        }
+        let notice = (own != id).then(|| {
+            Notice::warning(format!(
+                "another subject has the id {id:?} too: this one is shown as {own:?}"
+            ))
+        });
+        unique.push((own, notice.into_iter().collect()));
     }
-    nearly_equal_ids(plans);
+    tell_nearly_equal_ids(&mut unique);
+    unique
 }
 
 /// Ids that a reader cannot distinguish: they differ only in letter case or blanks.
-fn nearly_equal_ids(plans: &mut [SubjectPlan]) {
+fn tell_nearly_equal_ids(ids: &mut [(String, Vec<Notice>)]) {
     let plain = |id: &str| id.split_whitespace().collect::<String>().to_lowercase();
     let mut first: HashMap<String, String> = HashMap::new();
-    for plan in plans {
-        let known = first
-            .entry(plain(&plan.id))
-            .or_insert_with(|| plan.id.clone());
-        if *known != plan.id {
-            plan.notices.push(Notice::warning(format!(
-                "the id {:?} differs from {known:?} only in letter case or blanks: two subjects, by their ids",
-                plan.id
+    for (id, notices) in ids {
+        let known = first.entry(plain(id)).or_insert_with(|| id.clone());
+        if known != id {
+            notices.push(Notice::warning(format!(
+                "the id {id:?} differs from {known:?} only in letter case or blanks: two subjects, by their ids"
             )));
         }
     }

@@ -178,7 +178,9 @@ fn a_folder_of_masks_let_go_over_the_window_becomes_beating_walls() {
     assert_eq!(study.subjects[0].id, "a1");
     assert_eq!(study.subjects[0].sequence.frame_count(), 2);
     let notices = &study.subjects[0].notices;
-    let made = |text: &str| text.starts_with("walls made from masks");
+    let made = |text: &str| {
+        text.starts_with("walls made from masks (label 3 cavity, 2 wall, 1 right ventricle)")
+    };
     assert!(
         notices.iter().any(|notice| made(&notice.text)),
         "{notices:?}"
