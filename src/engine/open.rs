@@ -88,7 +88,7 @@ fn walls_or(
     Ok(Opened {
         study: made.study,
         errors: made.errors,
-        notices: Vec::new(),
+        ..Opened::default()
     })
 }
 

@@ -57,7 +57,7 @@ pub use open::{
     open_paths, open_paths_in_stages, read_head, read_image_file, read_images, read_mesh_file,
     renew_cohort_notices,
 };
-pub use opened::{OpenError, Opened};
+pub use opened::{OpenError, Opened, OpenedImages};
 pub use ply::write_ply;
 pub use vtp::{write_pvd, write_vtp};
 pub use write_study::{WriteStudyError, write_study};

@@ -1,8 +1,10 @@
 //! What opening paths brings: a study of all that could be read, and one error for each that could not.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
-use crate::study::{Notice, Study};
+use super::ImageSeries;
+use crate::study::{Notice, SequenceId, Study};
 
 /// A file or subject that could not be opened; the rest goes on.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -25,4 +27,30 @@ pub struct Opened {
     pub errors: Vec<OpenError>,
     /// What was assumed about the study as a whole.
     pub notices: Vec<Notice>,
+    /// Images that were read, with or without subjects made of them; together within [`Limits`](super::Limits).
+    pub images: Vec<OpenedImages>,
+}
+
+/// The images of one subject: the series that were found together.
+#[derive(Clone, Debug)]
+pub struct OpenedImages {
+    /// Pseudonym: that of the subject, if there is one.
+    pub id: String,
+    /// The series, at least one; that of which walls are made, or can be expected, comes first.
+    pub series: Vec<Arc<ImageSeries>>,
+    /// What was left out, and why.
+    pub notices: Vec<Notice>,
+    /// The surfaces that were made of the first series; `None` where somebody must say more before any are.
+    pub made: Option<SequenceId>,
+}
+
+impl OpenedImages {
+    /// Bytes of all voxels.
+    pub fn bytes(&self) -> u64 {
+        let of = |series: &Arc<ImageSeries>| {
+            let volumes = series.image.volumes().iter();
+            volumes.map(|volume| size_of_val(&**volume) as u64).sum::<u64>()
+        };
+        self.series.iter().map(of).sum()
+    }
 }

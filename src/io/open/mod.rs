@@ -103,6 +103,7 @@ pub fn open_paths_in_stages(
         },
         errors: plan.errors,
         notices: plan.notices,
+        images: Vec::new(),
     };
     let unread = plan.subjects.iter().map(|subject| UnreadSubject {
         id: subject.id.clone(),
