@@ -1,6 +1,7 @@
 //! What one series of images is, whatever the format: a volume over time, with what its files do not say told as such.
 
 use crate::image::{Image, ImageError, VolumeFrame};
+pub use crate::image::Modality;
 use crate::study::Notice;
 
 /// The volumes of one series: of one file, or of all DICOM files of a series.
@@ -25,40 +26,6 @@ pub struct ImageSeries {
     pub position_known: bool,
     /// What was left out or assumed.
     pub notices: Vec<Notice>,
-}
-
-/// The kind of machine that made an image.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Modality {
-    /// Gamma camera: planar or SPECT.
-    NuclearMedicine,
-    /// Positron emission tomography.
-    PositronEmission,
-    /// Magnetic resonance.
-    MagneticResonance,
-    /// Computed tomography.
-    ComputedTomography,
-    /// Ultrasound.
-    Ultrasound,
-    /// A segmentation.
-    Segmentation,
-    /// Another one that the file names.
-    Other,
-}
-
-impl Modality {
-    /// The two or three letters that DICOM gives it.
-    pub fn letters(self) -> &'static str {
-        match self {
-            Self::NuclearMedicine => "NM",
-            Self::PositronEmission => "PT",
-            Self::MagneticResonance => "MR",
-            Self::ComputedTomography => "CT",
-            Self::Ultrasound => "US",
-            Self::Segmentation => "SEG",
-            Self::Other => "OT",
-        }
-    }
 }
 
 /// Parts of the beat that the volumes of a gated series belong to.

@@ -8,10 +8,28 @@ const LEAF: usize = 4;
 /// Faces in a tree of boxes. Made once, answers often.
 #[derive(Clone, Debug)]
 pub struct ClosestPoint {
-    /// Corners in the order of the leaves.
-    corners: Vec<[Point3; 3]>,
+    /// Faces in the order of the leaves.
+    faces: Vec<Face>,
     /// The root is the last one.
     nodes: Vec<Node>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Face {
+    corners: [Point3; 3],
+    /// Its place among the triangles that were given.
+    number: u32,
+}
+
+/// The closest point of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// Where it is.
+    pub point: Point3,
+    /// A face that holds it, by its place among the triangles.
+    pub face: usize,
+    /// How far away it is.
+    pub distance: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -30,22 +48,30 @@ impl ClosestPoint {
     /// Sorts triangles into boxes; `None` without any.
     pub fn new(points: &[Point3], triangles: &[[u32; 3]]) -> Option<Self> {
         let mut tree = Self {
-            corners: (triangles.iter())
-                .map(|triangle| triangle.map(|v| points[v as usize]))
+            faces: (triangles.iter().zip(0_u32..))
+                .map(|(triangle, number)| Face {
+                    corners: triangle.map(|v| points[v as usize]),
+                    number,
+                })
                 .collect(),
             nodes: Vec::with_capacity(triangles.len()),
         };
-        if tree.corners.is_empty() {
+        if tree.faces.is_empty() {
             return None;
         }
-        let all = tree.corners.len();
+        let all = tree.faces.len();
         tree.split(0, all);
         Some(tree)
     }
 
     /// The closest point of any face. Of several equally close ones, the same for the same tree.
     pub fn closest(&self, point: Point3) -> Point3 {
-        let mut best = (f64::INFINITY, point);
+        self.nearest(point).point
+    }
+
+    /// The same, with its face.
+    pub fn nearest(&self, point: Point3) -> Nearest {
+        let mut best = (f64::INFINITY, point, 0);
         let mut open = vec![(0.0, self.nodes.len() - 1)];
         while let Some((away, node)) = open.pop() {
             if away >= best.0 {
@@ -53,11 +79,11 @@ impl ClosestPoint {
             }
             match self.nodes[node].inside {
                 Inside::Faces { from, to } => {
-                    for corners in &self.corners[from..to] {
-                        let candidate = closest_on_triangle(corners, point);
+                    for face in &self.faces[from..to] {
+                        let candidate = closest_on_triangle(&face.corners, point);
                         let away = (candidate - point).norm_squared();
                         if away < best.0 {
-                            best = (away, candidate);
+                            best = (away, candidate, face.number);
                         }
                     }
                 }
@@ -68,7 +94,11 @@ impl ClosestPoint {
                 }
             }
         }
-        best.1
+        Nearest {
+            point: best.1,
+            face: best.2 as usize,
+            distance: best.0.sqrt(),
+        }
     }
 
     /// Distance to the closest point.
@@ -78,15 +108,15 @@ impl ClosestPoint {
 
     /// Halves faces at the median centroid of the longest side of their box; returns the node.
     fn split(&mut self, from: usize, to: usize) -> usize {
-        let corners = &mut self.corners[from..to];
-        let bounds = bounding_box(corners.iter().flatten()).unwrap_or_default();
-        let inside = if corners.len() <= LEAF {
+        let faces = &mut self.faces[from..to];
+        let bounds = bounding_box(faces.iter().flat_map(|face| &face.corners)).unwrap_or_default();
+        let inside = if faces.len() <= LEAF {
             Inside::Faces { from, to }
         } else {
             let axis = (bounds[1] - bounds[0]).imax();
-            let key = |c: &[Point3; 3]| c[0][axis] + c[1][axis] + c[2][axis];
-            let half = corners.len() / 2;
-            corners.select_nth_unstable_by(half, |a, b| key(a).total_cmp(&key(b)));
+            let key = |face: &Face| face.corners.iter().map(|c| c[axis]).sum::<f64>();
+            let half = faces.len() / 2;
+            faces.select_nth_unstable_by(half, |a, b| key(a).total_cmp(&key(b)));
             let low = self.split(from, from + half);
             Inside::Nodes([low, self.split(from + half, to)])
         };

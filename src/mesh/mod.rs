@@ -19,7 +19,7 @@ mod tri_mesh;
 
 pub use borders::{Borders, Edge};
 pub use capping::CappedSheet;
-pub use closest_point::ClosestPoint;
+pub use closest_point::{ClosestPoint, Nearest};
 pub use components::{Sheet, SheetError, sheets};
 pub use curvature::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
 pub use decimation::Decimation;
