@@ -46,14 +46,14 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "document",
         &[
-            "units", "mesh", "study", "analysis", "io", "engine", "render", "picture",
+            "units", "mesh", "image", "study", "analysis", "io", "engine", "render", "picture",
         ],
     ),
     (
         "panes",
         &[
-            "units", "mesh", "study", "analysis", "report", "engine", "picture", "render", "ui",
-            "document",
+            "units", "mesh", "image", "study", "analysis", "io", "report", "engine", "picture",
+            "render", "ui", "document",
         ],
     ),
     (

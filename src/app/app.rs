@@ -13,7 +13,7 @@ use crate::panes::{Command, FileCommand};
 use crate::ui::{self};
 
 use super::app_options::AppOptions;
-use super::apply::{Effect, Moment, apply};
+use super::apply::{Effect, Moment, advance, apply};
 use super::background::{Background, reference_frames};
 use super::chosen_files::{ChosenFiles, Exporting};
 use super::first_picture::FirstPicture;
@@ -301,14 +301,8 @@ impl App {
         let now_s = ctx.input(|input| input.time);
         let elapsed_s = self.played_at_s.map_or(0.0, |last| now_s - last);
         self.played_at_s = Some(now_s);
-        let state = &mut self.state;
-        if let Some(subject) = state.document.selected() {
-            let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
-            let (at, range) = (state.document.position, state.document.loop_range);
-            (state.document.position, state.play.playing) =
-                state.play.advance(subject, at, range, elapsed_s);
-        }
-        if state.play.playing {
+        advance(&mut self.state, elapsed_s.min(LONGEST_STEP_S));
+        if self.state.play.playing {
             ctx.request_repaint();
         }
     }

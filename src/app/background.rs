@@ -138,7 +138,7 @@ fn written_words(files: &[PathBuf]) -> String {
 
 fn take_opened(state: &mut State, opened: Opened) {
     push_open_errors(&mut state.errors, &opened.errors);
-    if opened.study.subjects.is_empty() {
+    if opened.study.subjects.is_empty() && opened.images.is_empty() {
         if opened.errors.is_empty() {
             push_card(&mut state.errors, "Nothing to open", "no mesh files found");
         }
@@ -160,6 +160,7 @@ fn report_of(opened: Opened) -> (Study, OpeningReport) {
     let report = OpeningReport {
         notices: opened.notices,
         errors: opened.errors,
+        images: Arc::new(opened.images),
     };
     (opened.study, report)
 }

@@ -69,7 +69,7 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
             let view = status_bar_view(state, running, drawing.adapter);
             bars::status_bar_ui(ui, &view, drawing.commands);
         });
-    if state.document.selected().is_some() {
+    if state.document.selected().is_some() || state.document.shown_series().is_some() {
         Panel::bottom("time bar")
             .exact_size(TIME_HEIGHT)
             .frame(bar.inner_margin(Margin {

@@ -10,6 +10,9 @@ use crate::panes::{PANES, Pane, Place};
 /// Shares of the window's width: cohort, 3D view, results.
 const COLUMN_SHARES: [f32; 3] = [0.2, 0.505, 0.295];
 
+/// Panes that a fresh layout does not show: images bring them.
+const CLOSED_AT_FIRST: [Pane; 1] = [Pane::SLICES];
+
 /// Shares of the right column's height: map, and below it measures beside curves.
 const RIGHT_SHARES: [f32; 2] = [0.53, 0.47];
 
@@ -66,9 +69,13 @@ impl Default for Layout {
         let right = insert_linear(&mut tiles, LinearDir::Vertical, &right, &RIGHT_SHARES);
         let columns = [left, middle, right];
         let root = insert_linear(&mut tiles, LinearDir::Horizontal, &columns, &COLUMN_SHARES);
-        Self {
+        let mut layout = Self {
             tree: Tree::new(tree_id(), root, tiles),
+        };
+        for pane in CLOSED_AT_FIRST {
+            layout.set_open(pane, false);
         }
+        layout
     }
 }
 
@@ -176,6 +183,9 @@ impl Layout {
             let tile = self.tree.tiles.insert_pane(PaneTile(spec.pane));
             if let Some(Tile::Container(Container::Tabs(tabs))) = self.tree.tiles.get_mut(parent) {
                 tabs.add_child(tile);
+            }
+            if CLOSED_AT_FIRST.contains(&spec.pane) {
+                self.set_open(spec.pane, false);
             }
         }
         self

@@ -7,11 +7,13 @@ use crate::analysis::verdicts::CheckedClassifier;
 use crate::document::ViewMode;
 use crate::document::cohort_sort::CohortSort;
 use crate::engine::{ClassesBy, PoseMapQuery, ThickeningSettings};
-use crate::io::OpenError;
+use crate::io::{OpenError, OpenedImages};
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
-use crate::study::{Notice, Revision, Study, Subject};
+use crate::study::{CycleTiming, Notice, Revision, Study, Subject};
 
+use crate::document::import::Import;
 use crate::document::loop_range::LoopRange;
+use crate::document::slice_view::SliceView;
 use crate::document::viewpoint::Viewpoint;
 use crate::document::visibility::Visibility;
 
@@ -74,6 +76,10 @@ pub struct Document {
     pub bulls_eye: BullsEyeQuantity,
     /// Whether it has one colour for each segment.
     pub bulls_eye_segments: bool,
+    /// Which images are looked at, and how.
+    pub slices: SliceView,
+    /// How images become subjects.
+    pub import: Import,
     /// Filter of the cohort table.
     pub search: String,
     /// Order of the cohort table; `None` keeps the order of the study.
@@ -100,6 +106,8 @@ pub struct OpeningReport {
     pub notices: Vec<Notice>,
     /// What could not be read.
     pub errors: Vec<OpenError>,
+    /// Images that were read, with or without subjects made of them.
+    pub images: Arc<Vec<OpenedImages>>,
 }
 
 impl PartialEq for StudyRef {
@@ -134,6 +142,8 @@ impl Document {
             part: None,
             bulls_eye: BullsEyeQuantity::default(),
             bulls_eye_segments: false,
+            slices: SliceView::default(),
+            import: Import::default(),
             search: String::new(),
             sorting: None,
         }
@@ -175,10 +185,12 @@ impl Document {
         }
     }
 
-    /// Number of frames of the selected subject, at least one.
+    /// Number of frames of the selected subject; without a subject of the images on screen; at least one.
     pub fn frame_count(&self) -> usize {
-        self.selected()
-            .map_or(1, |subject| subject.sequence.frame_count())
+        self.selected().map_or_else(
+            || self.instant_count(),
+            |subject| subject.sequence.frame_count(),
+        )
     }
 
     /// The frame nearest to the position; past the last half frame the motion starts over.
@@ -269,6 +281,7 @@ impl Document {
             self.let_patch_go();
         }
         self.subject = subject;
+        self.show_images_of_selected();
         self.move_to(position);
     }
 
@@ -307,11 +320,15 @@ pub fn cycle_share(subject: &Subject, position: f64) -> f64 {
 /// Frames are found by bisection on the phase, which grows with the position; where several
 /// positions have one phase (before the first frame's time), the first is taken.
 pub fn position_at_phase(subject: &Subject, phase: f64) -> f64 {
-    let count = subject.sequence.frame_count();
+    position_in_cycle(&subject.timing, subject.sequence.frame_count(), phase)
+}
+
+/// The same for anything that was recorded over a cycle at `count` instants.
+pub fn position_in_cycle(timing: &CycleTiming, count: usize, phase: f64) -> f64 {
     if count <= 1 {
         return 0.0;
     }
-    let phase_at = |frame: usize| subject.timing.phase(frame as f64, count);
+    let phase_at = |frame: usize| timing.phase(frame as f64, count);
     let first = phase_at(0);
     let phase = if phase < first { first } else { phase };
     let frame = (0..count)

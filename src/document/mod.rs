@@ -14,12 +14,15 @@ pub(crate) mod differences;
 pub(crate) mod document;
 pub(crate) mod editing;
 pub(crate) mod error_card;
+pub(crate) mod images;
+pub(crate) mod import;
 pub(crate) mod interpolated_poses;
 pub(crate) mod loop_range;
 pub(crate) mod path_entry;
 pub(crate) mod play;
 mod reading;
 pub(crate) mod relisting;
+pub(crate) mod slice_view;
 pub(crate) mod state;
 #[cfg(test)]
 pub(crate) mod testing;
@@ -34,7 +37,8 @@ pub(crate) mod visible_poses;
 
 pub use {
     answers::*, cohort_sort::*, differences::*, document::*, editing::*, error_card::*,
+    images::*, import::*,
     interpolated_poses::*, loop_range::*, path_entry::*, play::*,
 };
-pub use {state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
+pub use {slice_view::*, state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
 pub use {visibility::*, visible_poses::*};

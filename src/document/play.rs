@@ -4,9 +4,9 @@ pub use crate::picture::is_between;
 
 use crate::picture::PreparedSubject;
 use crate::render::GeometryPose;
-use crate::study::Subject;
+use crate::study::{CycleTiming, Subject};
 
-use crate::document::document::{cycle_share, position_at_phase};
+use crate::document::document::{cycle_share, position_at_phase, position_in_cycle};
 use crate::document::loop_range::{LoopRange, share_of_frame};
 
 /// Length of a cycle whose input does not say it: 60 cycles a minute.
@@ -83,12 +83,36 @@ impl PlayClock {
         let phase = start + (phase - start).rem_euclid(end - start);
         (position_at_phase(subject, phase), true)
     }
+
+    /// The same over `count` images of a beat, of which no subject is made.
+    pub fn advance_images(
+        &self,
+        timing: &CycleTiming,
+        count: usize,
+        position: f64,
+        elapsed_s: f64,
+    ) -> (f64, bool) {
+        if !self.playing || count < 2 {
+            return (position, self.playing && count >= 2);
+        }
+        let share = elapsed_s.max(0.0) * f64::from(self.speed) / length_s(timing);
+        let phase = timing.phase(position, count) + share;
+        let last = count as f64 - 1.0;
+        if !self.repeat && phase >= timing.phase(last, count) {
+            return (last, false);
+        }
+        let phase = phase.rem_euclid(1.0);
+        (position_in_cycle(timing, count, phase), true)
+    }
 }
 
 /// Length of a subject's cycle: as recorded, else one second.
 pub fn cycle_s(subject: &Subject) -> f64 {
-    subject
-        .timing
+    length_s(&subject.timing)
+}
+
+fn length_s(timing: &CycleTiming) -> f64 {
+    timing
         .rr
         .map(|rr| rr.0)
         .filter(|rr| *rr > 0.0)

@@ -18,6 +18,7 @@ use crate::study::{Revision, Study, Subject};
 use crate::document::answers::{Answers, FoundWall};
 use crate::document::document::{Document, OpeningReport, StudyRef};
 use crate::document::editing::{Leaving, PickedPoint, StudyExport, Typing};
+use crate::document::import::ImageTool;
 use crate::document::interpolated_poses::{InterpolatedMotion, geodesic_params};
 use crate::document::path_entry::PathEntry;
 use crate::document::play::PlayClock;
@@ -74,6 +75,8 @@ pub struct State {
     pub typing: Option<Typing>,
     /// The point of a surface that was clicked last.
     pub picked: Option<PickedPoint>,
+    /// What a click into a slice of an image does; `None` moves the crosshair.
+    pub image_tool: Option<ImageTool>,
     /// What waits for an answer about edits that are not exported.
     pub leaving: Option<Leaving>,
     /// Studies that are being written.
@@ -112,6 +115,7 @@ impl Default for State {
             built_in: BuiltInParams::default(),
             typing: None,
             picked: None,
+            image_tool: None,
             leaving: None,
             exports: Vec::new(),
             kept: HashSet::from([Revision::default()]),
@@ -256,6 +260,7 @@ impl State {
         if before.study.opening > 0 {
             self.history.record(before, None, false, 0.0);
         }
+        document.show_images_of_selected();
         self.document = document;
         self.play.playing = false;
         self.estimate_at = None;
@@ -266,6 +271,7 @@ impl State {
     pub fn leave_listing(&mut self) {
         self.typing = None;
         self.picked = None;
+        self.image_tool = None;
     }
 
     /// Whether the study on screen has edits that were not exported.

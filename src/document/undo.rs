@@ -26,6 +26,12 @@ pub enum Gesture {
     LoopRange,
     /// Dragging a threshold of patches.
     Threshold,
+    /// Moving through the slices of an image.
+    Crosshair,
+    /// Dragging the window and level of an image.
+    GreyWindow,
+    /// Dragging a setting of an import.
+    Import,
 }
 
 /// The past and the future of the document.
@@ -70,7 +76,13 @@ impl History {
         if matches!(
             self.open_gesture,
             Some((
-                Gesture::Camera | Gesture::Time | Gesture::LoopRange | Gesture::Threshold,
+                Gesture::Camera
+                    | Gesture::Time
+                    | Gesture::LoopRange
+                    | Gesture::Threshold
+                    | Gesture::Crosshair
+                    | Gesture::GreyWindow
+                    | Gesture::Import,
                 _
             ))
         ) {

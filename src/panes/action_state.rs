@@ -4,7 +4,8 @@ use std::mem::discriminant;
 
 use crate::document::State;
 use crate::panes::commands::{
-    ClassifierCommand, Command, EditCommand, FileCommand, MapCommand, Pane, Phase, PhaseFrame,
+    ClassifierCommand, Command, EditCommand, FileCommand, ImagesCommand,
+    ImportCommand, MapCommand, Pane, Phase, PhaseFrame,
     PlaybackCommand, TransportCommand, ViewCommand, WallCommand, Whose, WindowCommand,
 };
 use crate::picture::Quantity;
@@ -56,6 +57,8 @@ impl ActionState<'_> {
             | Command::Window(WindowCommand::ToggleAbout)
             | Command::Window(WindowCommand::ToggleFullScreen)
             | Command::File(FileCommand::Quit) => true,
+            Command::Images(_) | Command::Import(_) => document.shown_series().is_some(),
+            Command::Playback(_) if document.shown_series().is_some() => true,
             Command::Classifier(ClassifierCommand::Forget) => document.rule.is_some(),
             Command::Classifier(ClassifierCommand::Export(_))
             | Command::File(FileCommand::ExportStudy(_) | FileCommand::ChooseFilesToAdd)
@@ -154,6 +157,12 @@ pub fn is_on(state: &State, command: &Command) -> Option<bool> {
         Command::Edit(EditCommand::SetUnit(_, unit)) => {
             (document.selected()).is_some_and(|subject| subject.coordinate_unit() == *unit)
         }
+        Command::Images(ImagesCommand::ToggleOutlines) => document.slices.outlines,
+        Command::Import(ImportCommand::UseTool(tool)) => {
+            state.image_tool.is_some() && state.image_tool == *tool
+        }
+        Command::Import(ImportCommand::ToggleBatch) => document.import.batch,
+        Command::Images(ImagesCommand::ToggleSmooth) => document.slices.smooth,
         Command::Playback(PlaybackCommand::ToggleLoop) => state.play.repeat,
         Command::Window(WindowCommand::SetTheme(theme)) => state.theme == *theme,
         Command::Window(WindowCommand::ToggleFullScreen) => state.full_screen,

@@ -1,7 +1,6 @@
 //! Positions counted in frames, and the share of the cardiac cycle of each.
 
-use crate::document::document::cycle_share;
-use crate::study::Subject;
+use crate::study::{CycleTiming, Subject};
 
 /// Times of the frames within the cardiac cycle: one share in `0..1` per frame, ascending; after the last
 /// frame the cycle continues with the first.
@@ -14,10 +13,15 @@ pub struct CycleAxis {
 impl CycleAxis {
     /// The frames of a subject.
     pub fn of(subject: &Subject) -> Self {
-        let frames = 0..subject.sequence.frame_count();
+        Self::of_instants(&subject.timing, subject.sequence.frame_count())
+    }
+
+    /// So many instants of a beat.
+    pub fn of_instants(timing: &CycleTiming, count: usize) -> Self {
+        let instants = 0..count;
         Self {
-            frame_shares: frames
-                .map(|frame| cycle_share(subject, frame as f64))
+            frame_shares: instants
+                .map(|instant| timing.phase(instant as f64, count))
                 .collect(),
         }
     }

@@ -27,6 +27,7 @@ pub(crate) mod pose_words;
 pub(crate) mod same;
 pub(crate) mod scatter_map;
 pub(crate) mod shortcuts;
+pub(crate) mod slices;
 pub(crate) mod spatiotemporal;
 pub(crate) mod subject_drag;
 pub(crate) mod table;

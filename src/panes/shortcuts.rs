@@ -47,7 +47,7 @@ pub fn pressed_commands(ctx: &Context) -> Vec<Command> {
         let plain = !shortcut.modifiers.command && !is_function_key(shortcut.logical_key);
         let moves = matches!(
             shortcut.logical_key,
-            Key::Space | Key::ArrowLeft | Key::ArrowRight
+            Key::Space | Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown
         );
         // A text field undoes its own typing.
         let undoes = shortcut.logical_key == Key::Z;

@@ -4,7 +4,7 @@ use super::commands::Pane;
 use super::pane::PaneSpec;
 use super::{
     activity, bulls_eye, cohort, curves, deformation_map, measures, medial_map, metric, patch,
-    pose_map, spatiotemporal, thickness, verdict, viewport,
+    pose_map, slices, spatiotemporal, thickness, verdict, viewport,
 };
 
 /// All panes, in the order of their tabs.
@@ -13,6 +13,7 @@ pub const PANES: &[PaneSpec] = &[
     activity::spec::PANE,
     metric::spec::PANE,
     viewport::spec::PANE,
+    slices::spec::PANE,
     pose_map::spec::PANE,
     deformation_map::spec::PANE,
     spatiotemporal::spec::PANE,
@@ -56,6 +57,7 @@ mod tests {
             "activity",
             "metric",
             "viewport",
+            "slices",
             "pose_map",
             "deformation_map",
             "space_time",

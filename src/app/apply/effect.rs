@@ -1,7 +1,9 @@
 //! What a command asks for beyond the state: files, jobs, the window itself.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
+use crate::analysis::preparation::Preparation;
 use crate::app::export::FigureKind;
 use crate::document::{Leaving, ThemeChoice};
 use crate::engine::{OpenSource, Topic};
@@ -27,6 +29,8 @@ pub enum Effect {
         /// What it is left for once it is written.
         then: Option<Leaving>,
     },
+    /// Put the walls that were made of these images by these settings into the study.
+    AddWalls(Vec<(usize, Arc<Preparation>)>),
     /// Ask where a picture goes.
     ChooseFigure(FigureKind),
     /// Write what a pane shows; asks where if `None`.

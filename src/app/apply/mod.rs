@@ -4,6 +4,8 @@ mod change;
 mod classifier;
 mod edit;
 mod effect;
+mod images;
+mod import;
 mod map;
 mod playback;
 mod select;
@@ -16,6 +18,7 @@ mod window;
 
 pub use change::{Moment, change};
 pub use effect::Effect;
+pub use playback::advance;
 pub use wall::is_usable;
 
 use crate::panes::{Command, EditCommand};
@@ -49,6 +52,8 @@ fn applied(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> 
         Command::Select(command) => select::apply(state, command, moment),
         Command::Playback(command) => playback::apply(state, command, moment),
         Command::View(command) => view::apply(state, command, moment),
+        Command::Images(command) => images::apply(state, command, moment),
+        Command::Import(command) => return Vec::from_iter(import::apply(state, command, moment)),
         Command::Map(command) => map::apply(state, command, moment),
         Command::Wall(command) => wall::apply(state, command, moment),
         Command::Classifier(command) => {

@@ -1,6 +1,7 @@
 //! Commands about the place in the cycle of the selected subject, and about playing.
 
 use crate::document::document::position_at_phase;
+use crate::document::image_timing;
 use crate::document::loop_range::LoopRange;
 use crate::document::state::State;
 use crate::document::undo::Gesture;
@@ -39,6 +40,20 @@ pub fn apply(state: &mut State, command: PlaybackCommand, moment: &Moment) {
             set_loop_range(state, moment, Some(frames));
         }
     }
+}
+
+/// Moves what plays on by so many seconds: the motion of the selected subject, else the images on screen.
+pub fn advance(state: &mut State, elapsed_s: f64) {
+    let (document, play) = (&mut state.document, &mut state.play);
+    let at = document.position;
+    (document.position, play.playing) = match (document.selected(), document.shown_series()) {
+        (Some(subject), _) => play.advance(subject, at, document.loop_range, elapsed_s),
+        (None, Some(series)) => {
+            let timing = image_timing(series);
+            play.advance_images(&timing, document.instant_count(), at, elapsed_s)
+        }
+        (None, None) => return,
+    };
 }
 
 fn step_frame(state: &mut State, moment: &Moment, step: i32) {
@@ -84,6 +99,8 @@ fn set_loop_range(state: &mut State, moment: &Moment, frames: Option<[usize; 2]>
 
 fn toggle_play(state: &mut State) {
     let Some(subject) = state.document.selected() else {
+        // Images of which no subject is made.
+        state.play.playing = !state.play.playing && state.document.frame_count() > 1;
         return;
     };
     let count = subject.sequence.frame_count();

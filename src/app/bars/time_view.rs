@@ -1,6 +1,6 @@
 //! What the time bar shows of the selected subject.
 
-use crate::document::State;
+use crate::document::{State, image_timing};
 use crate::panes::cycle_axis::CycleAxis;
 use crate::panes::pose_words::{between_words_of, line_note};
 
@@ -10,7 +10,7 @@ use super::time_bar::TimeBarView;
 pub fn time_bar_view(state: &State) -> TimeBarView {
     let document = &state.document;
     let Some(subject) = document.selected() else {
-        return TimeBarView::default();
+        return image_view(state);
     };
     let (end_diastole, end_systole) = state.phases_of(document.subject);
     let between = between_words_of(state, document.subject, document.position);
@@ -32,5 +32,26 @@ pub fn time_bar_view(state: &State) -> TimeBarView {
         between: between.short,
         interpolated_poses: motion.map_or_else(Vec::new, |motion| motion.positions()),
         note: line_note(state, between),
+    }
+}
+
+/// The time bar of images of which no subject is made.
+fn image_view(state: &State) -> TimeBarView {
+    let document = &state.document;
+    let Some(series) = document.shown_series() else {
+        return TimeBarView::default();
+    };
+    let (timing, count) = (image_timing(series), document.instant_count());
+    // Between two instants the nearer one is on screen.
+    let instant = document.instant();
+    TimeBarView {
+        playing: state.play.playing,
+        speed: state.play.speed,
+        looping: state.play.repeat,
+        position: document.position,
+        axis: CycleAxis::of_instants(&timing, count),
+        time_ms: timing.time_at(instant as f64, count).map(|time| 1e3 * time.0),
+        cycle_ms: timing.rr.map(|rr| 1e3 * rr.0),
+        ..TimeBarView::default()
     }
 }

@@ -6,6 +6,8 @@ mod action;
 mod classifier;
 mod edit;
 mod file;
+mod images;
+mod import;
 mod map;
 mod pane;
 mod playback;
@@ -18,7 +20,7 @@ mod work;
 
 use std::sync::LazyLock;
 
-pub use {action::*, edit::*, file::*, map::*, pane::*};
+pub use {action::*, edit::*, file::*, images::*, import::*, map::*, pane::*};
 pub use {
     classifier::*, playback::*, select::*, transport::*, view::*, wall::*, window::*, work::*,
 };
@@ -32,6 +34,10 @@ pub enum Command {
     Playback(PlaybackCommand),
     /// What is seen, and from where; applied by `app/apply/view.rs`.
     View(ViewCommand),
+    /// The images of the study; applied by `app/apply/images.rs`.
+    Images(ImagesCommand),
+    /// The import of images; applied by `app/apply/import.rs`.
+    Import(ImportCommand),
     /// Metric and maps; applied by `app/apply/map.rs`.
     Map(MapCommand),
     /// The wall and its patches; applied by `app/apply/wall.rs`.
@@ -62,7 +68,7 @@ macro_rules! kinds {
 
 #[rustfmt::skip]
 kinds!(
-    Select(SelectCommand), Playback(PlaybackCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Classifier(ClassifierCommand),
+    Select(SelectCommand), Playback(PlaybackCommand), View(ViewCommand), Images(ImagesCommand), Import(ImportCommand), Map(MapCommand), Wall(WallCommand), Classifier(ClassifierCommand),
     Transport(TransportCommand),
     Edit(EditCommand), File(FileCommand), Work(WorkCommand), Window(WindowCommand)
 );
@@ -78,6 +84,8 @@ pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
         .chain(wide(playback::ACTIONS))
         .chain(wide(view::ACTIONS))
         .chain(wide(wall::ACTIONS))
+        .chain(wide(images::ACTIONS))
+        .chain(wide(import::ACTIONS))
         .chain(wide(classifier::ACTIONS))
         .chain(wide(transport::ACTIONS))
         .chain(of_metrics().map(|row| row.widened()))

@@ -1,0 +1,14 @@
+//! The images of a subject in three slices that cross at one point, with the outlines of its surfaces over them.
+//!
+//! Begin with `view.rs`, which lays out the slices. `plane.rs` says how a slice lies on the screen, `texture.rs` makes its
+//! picture, `section.rs` cuts surfaces with it, `slice.rs` draws one slice and hears what is done in it.
+
+pub(crate) mod grey;
+pub(crate) mod plane;
+pub(crate) mod section;
+mod slice;
+pub(crate) mod spec;
+#[cfg(test)]
+mod tests;
+mod texture;
+pub(crate) mod view;

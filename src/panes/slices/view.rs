@@ -1,0 +1,221 @@
+//! The pane "Images": three slices that cross at one point, and whose heart at which instant they show.
+
+use std::sync::Arc;
+
+use egui::{Rect, Ui, vec2};
+
+use super::grey::FoundWindow;
+use super::plane::SlicePlane;
+use super::section::section;
+use super::slice::{Outline, SliceTile, value_text};
+use super::texture::{SlicePicture, SliceTextures};
+use crate::document::{State, image_timing};
+use crate::io::ImageSeries;
+use crate::mesh::Point3;
+use crate::panes::buttons::command_button_ui;
+use crate::panes::commands::{Command, FileCommand, ImagesCommand};
+use crate::panes::pane_context::PaneContext;
+use crate::study::SurfaceKind;
+use crate::ui::controls::empty_pane_ui;
+use crate::ui::style::{note, title_font};
+use crate::ui::theme::{Colours, colours, space};
+
+/// Draws the slices, or what would fill the pane.
+pub fn slices_ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let state = cx.state();
+    let Some(series) = state.document.shown_series() else {
+        no_images_ui(ui, state, commands);
+        return;
+    };
+    let area = ui.available_rect_before_wrap().shrink(space::MEDIUM);
+    let [first, second, third, rest] = tiles(area);
+    for (normal, rect) in [(2, first), (1, second), (0, third)] {
+        slice_ui(ui, cx, series, (normal, rect), commands);
+    }
+    let mut rest = ui.new_child(egui::UiBuilder::new().max_rect(rest.shrink(space::SMALL)));
+    facts_ui(&mut rest, cx, series);
+}
+
+/// Four tiles, two above two.
+fn tiles(area: Rect) -> [Rect; 4] {
+    let size = 0.5 * (area.size() - vec2(space::SMALL, space::SMALL));
+    let size = size.max(vec2(1.0, 1.0));
+    let step = size + vec2(space::SMALL, space::SMALL);
+    [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]
+        .map(|[column, row]| Rect::from_min_size(area.min + vec2(column, row) * step, size))
+}
+
+fn no_images_ui(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let whose = (state.document.selected()).filter(|_| !state.document.images().is_empty());
+    let heading = match whose {
+        Some(subject) => format!("No images of {}", subject.id),
+        None => "No images".to_owned(),
+    };
+    let what = "Gated SPECT, cine MR or label images (DICOM, NIfTI, NRRD, MetaImage, also zipped) are shown here in three \
+                slices, with the outlines of the surfaces over them.";
+    empty_pane_ui(ui, &heading, what, |ui| {
+        command_button_ui(ui, "Open folder…", FileCommand::ChooseFolder, commands);
+    });
+}
+
+fn slice_ui(
+    ui: &mut Ui,
+    cx: &PaneContext<'_>,
+    series: &Arc<ImageSeries>,
+    (normal, rect): (usize, Rect),
+    commands: &mut Vec<Command>,
+) {
+    let state = cx.state();
+    let document = &state.document;
+    let frame = series.image.frame();
+    let Some(cross) = document.crosshair() else {
+        return;
+    };
+    let instant = document.instant();
+    let found = cx.memo().get::<FoundWindow>().borrow_mut().of(series);
+    let window = document.slices.window.unwrap_or(found);
+    let mut tile = SliceTile {
+        frame,
+        plane: SlicePlane::new(frame, normal),
+        cross: frame.voxel(cross),
+        texture: None,
+        window,
+        outlines: Vec::new(),
+        marks: Vec::new(),
+        oriented: series.position_known,
+        measured: series.spacing_known(),
+        value: &|voxel| value_at(series, instant, voxel),
+    };
+    let picture = SlicePicture {
+        plane: tile.plane,
+        depth: tile.depth(),
+        instant,
+        window,
+        smooth: document.slices.smooth,
+    };
+    let textures = cx.memo().get::<SliceTextures>();
+    tile.texture = textures.borrow_mut().texture(ui.ctx(), series, picture);
+    if document.slices.outlines {
+        tile.outlines = outlines(state, series, normal, tile.depth());
+    }
+    if let Some(voxel) = tile.ui(ui, rect, commands) {
+        commands.push(ImagesCommand::MoveTo(frame.position(voxel)).into());
+    }
+}
+
+/// The value of the voxel nearest to a place of the grid.
+fn value_at(series: &ImageSeries, instant: usize, voxel: Point3) -> Option<f32> {
+    let size = series.image.frame().size();
+    let mut index = 0;
+    for axis in [2, 1, 0] {
+        let place = voxel[axis].round();
+        if !(place >= 0.0 && place < size[axis] as f64) {
+            return None;
+        }
+        index = index * size[axis] + place as usize;
+    }
+    let value = *series.image.volumes().get(instant)?.get(index)?;
+    value.is_finite().then_some(value)
+}
+
+/// The surfaces of the subject of the images, cut by a slice.
+fn outlines(
+    state: &State,
+    series: &ImageSeries,
+    normal: usize,
+    depth: usize,
+) -> Vec<Outline> {
+    let document = &state.document;
+    let subject = document.slices.images;
+    let subject = subject.and_then(|images| document.subject_of_images(images));
+    let selected = subject.filter(|subject| *subject == document.subject);
+    let Some(subject) = selected.and_then(|_| document.selected()) else {
+        return Vec::new();
+    };
+    let surfaces = subject.sequence.surfaces().iter();
+    surfaces
+        .filter_map(|surface| {
+            let mesh = surface.frames().get(document.frame())?;
+            let frame = series.image.frame();
+            let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
+            Some(Outline {
+                pieces: section(frame, vertices, triangles, normal, depth as f64),
+                colour: outline_colour(surface.kind()),
+            })
+        })
+        .collect()
+}
+
+/// The colour of a surface over an image, which stands before black in both themes.
+pub fn outline_colour(kind: SurfaceKind) -> egui::Color32 {
+    let colours = Colours::of(true);
+    match kind {
+        SurfaceKind::Epicardium => colours.epicardium,
+        _ => colours.endocardium,
+    }
+}
+
+/// Whose heart it is, at which instant, and what the image is like.
+fn facts_ui(ui: &mut Ui, cx: &PaneContext<'_>, series: &ImageSeries) {
+    let document = &cx.state().document;
+    let strong = colours(ui).strong;
+    let id = document.shown_images().map_or("", |images| &images.id);
+    let title = egui::RichText::new(id).font(title_font()).color(strong);
+    ui.add(egui::Label::new(title).truncate());
+    ui.add(egui::Label::new(instant_words(cx.state(), series)).truncate());
+    for line in facts(series) {
+        ui.add(egui::Label::new(note(line)).wrap());
+    }
+    let found = cx.memo().get::<FoundWindow>();
+    let shown = (document.shown_series()).map(|series| found.borrow_mut().of(series));
+    if let Some(window) = document.slices.window.or(shown) {
+        let [width, level] = [window.width, window.level].map(|value| value_text(value as f32));
+        ui.add(egui::Label::new(note(format!("Window {width} · level {level}"))).truncate());
+    }
+}
+
+/// "Gate 3 of 8 · 250 ms · ED".
+pub fn instant_words(state: &State, series: &ImageSeries) -> String {
+    let document = &state.document;
+    let (instant, count) = (document.instant(), document.instant_count());
+    if count == 1 {
+        return "One volume".to_owned();
+    }
+    let what = if series.gates.is_some() { "Gate" } else { "Frame" };
+    let mut words = format!("{what} {} of {count}", instant + 1);
+    let timing = image_timing(series);
+    if let Some(time) = timing.time_at(instant as f64, count) {
+        words += &format!(" · {:.0} ms", 1e3 * time.0);
+    }
+    if document.selected().is_some() {
+        let frame = Some(document.frame());
+        let (end_diastole, end_systole) = state.phases_of(document.subject);
+        if frame == end_diastole {
+            words += " · ED";
+        } else if frame == end_systole {
+            words += " · ES";
+        }
+    }
+    words
+}
+
+/// What the image is like: kind, size, distances.
+fn facts(series: &ImageSeries) -> Vec<String> {
+    let [i, j, k] = series.image.frame().size();
+    let kind = series.modality.map_or("", |modality| modality.letters());
+    let kind = format!("{kind} {}", series.format);
+    let spacing = series.image.frame().spacing();
+    let [x, y, z] = spacing.map(|length| format!("{length:.1}"));
+    let apart = match series.spacing_known() {
+        true => format!("{x} × {y} × {z} mm apart"),
+        false => "distances between voxels not in the file".to_owned(),
+    };
+    let mut lines = vec![format!("{} · {i} × {j} × {k} voxels, {apart}", kind.trim())];
+    if !series.position_known {
+        lines.push("Position in the patient not in the file: no directions are named".to_owned());
+    }
+    if !series.times_known() {
+        lines.push("Times of the volumes not in the file".to_owned());
+    }
+    lines
+}
