@@ -111,6 +111,17 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     ("walls_from_masks", &[]),
+    ("walls_from_contours", &["walls_from_masks"]),
+    (
+        "preparation",
+        &[
+            "surface_extraction",
+            "walls_from_masks",
+            "walls_from_spect",
+            "walls_from_cine",
+            "walls_from_contours",
+        ],
+    ),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),

@@ -1,6 +1,7 @@
 //! Bytes to study and study to bytes: one file per format of meshes, one folder per format of images.
 
 mod binary_cursor;
+mod contours;
 mod csv_mesh;
 mod data_files;
 mod detect;
@@ -36,6 +37,9 @@ mod vtp;
 mod write_study;
 mod xml;
 
+pub use contours::{
+    ContourStudy, ContourStudyError, ContouredImage, find_contour_studies, read_contours,
+};
 pub use detect::{read_mesh, read_mesh_with_siblings};
 pub use dicom::{
     ContouredStructure, DicomReading, LeftOut, SliceSource, read_dicom, read_dicom_bytes,

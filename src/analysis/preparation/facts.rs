@@ -1,6 +1,7 @@
-//! What is known of an image before anything is made of it, and which road fits.
+//! What is known of an image before anything is made of it.
 
-use super::{Preparation, Road};
+use std::collections::BTreeSet;
+
 use crate::image::{Image, Modality};
 
 /// What is known of an image.
@@ -20,36 +21,47 @@ pub struct ImageFacts {
     pub times_known: bool,
     /// The values that occur beside 0, ascending, if they are so few and whole that they are labels.
     pub labels: Option<Vec<i32>>,
-    /// Outlines that were read beside the image, or drawn.
+    /// Outlines that were read beside the image.
     pub contours: usize,
 }
 
-/// A road for an image, with its settings by default.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Proposal {
-    /// The settings.
-    pub preparation: Preparation,
-    /// Why this road, or why none fits.
-    pub reason: String,
-    /// Whether a heart can be expected in the image at all; if not, the road is the least wrong one.
-    pub suitable: bool,
+/// Labels of an image at most, beside 0: the finest segmentations of a heart have fewer, and an image that is none has more
+/// values than this.
+const MAX_LABELS: usize = 32;
+/// Greatest label: values beyond are measured, not given.
+const MAX_LABEL: f32 = 1000.0;
+
+/// What an image says of itself. What the image cannot say is taken to be known and absent: whoever read the file sets
+/// `spacing_known` and `contours` where it is otherwise.
+pub fn facts(image: &Image, modality: Option<Modality>) -> ImageFacts {
+    let instants = image.volumes().len();
+    ImageFacts {
+        modality,
+        size: image.frame().size(),
+        spacing_mm: image.frame().spacing(),
+        spacing_known: true,
+        instants,
+        times_known: instants == 1 || image.times_ms().is_some(),
+        labels: labels(image),
+        contours: 0,
+    }
 }
 
-/// What somebody must say before an image gives walls, or may say.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Asked {
-    /// Distances between voxels.
-    Spacing,
-    /// Times of the volumes; walls can be made without.
-    Times,
-    /// Which label is which tissue.
-    Labels,
-    /// The tip of the ventricle.
-    Apex,
-    /// The middle of the mitral ring.
-    Base,
-    /// A point of the blood.
-    Blood,
-    /// Outlines of both surfaces.
-    Outlines,
+fn labels(image: &Image) -> Option<Vec<i32>> {
+    let mut found = BTreeSet::new();
+    // Neighbours are mostly of one label, so that the set is seldom asked.
+    let mut last = 0.0;
+    for &value in image.volumes().iter().flat_map(|volume| volume.iter()) {
+        if value == last {
+            continue;
+        }
+        if value.fract() != 0.0 || !(0.0..=MAX_LABEL).contains(&value) {
+            return None;
+        }
+        last = value;
+        if value != 0.0 && found.insert(value as i32) && found.len() > MAX_LABELS {
+            return None;
+        }
+    }
+    (!found.is_empty()).then(|| found.into_iter().collect())
 }

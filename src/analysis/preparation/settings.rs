@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use super::Road;
 use super::settings_file::SettingsFile;
-use crate::image::{Contour, MarkedPoints, VolumeEdit};
+use crate::analysis::walls_from_masks::{WallParams, WallParamsError};
+use crate::image::{Contour, MarkedPoints, VolumeEdit, VolumeEditError};
+use crate::mesh::Point3;
 
 /// How the walls of one image, or of a batch of images, are made. What the window's document holds and undo restores.
 ///
@@ -79,13 +81,13 @@ const MAX_BLUR_MM: f64 = 50.0;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SettingsError {
     /// Distances between voxels.
-    #[error("the distance {0} mm between voxels is not a number above 0 and up to 100")]
+    #[error("the distance {0} mm between voxels is not a number above 0 and up to {MAX_SPACING_MM}")]
     Spacing(f64),
     /// Times of volumes.
     #[error("times of volumes must be increasing numbers of milliseconds")]
     Times,
     /// The length of a beat.
-    #[error("a beat of {0} ms; 100 to 10000 are possible")]
+    #[error("a beat of {0} ms; {} to {} are possible", CYCLE_MS[0], CYCLE_MS[1])]
     Cycle(f64),
     /// The blur.
     #[error("a blur of {0} mm; 0 to {MAX_BLUR_MM} are possible")]
@@ -93,18 +95,21 @@ pub enum SettingsError {
     /// The threshold.
     #[error("the threshold {0} is not between 0 and 1: it is a share of the maximum")]
     Threshold(f64),
-    /// A marked point, an edit or an outline.
-    #[error("{0} has coordinates that are not numbers, or no size")]
+    /// An edit.
+    #[error(transparent)]
+    Edit(#[from] VolumeEditError),
+    /// A marked point or an outline.
+    #[error("{0} has coordinates that are not numbers, or fewer than three corners")]
     Geometry(&'static str),
     /// A number of vertices that walls cannot have.
     #[error(transparent)]
-    Walls(#[from] crate::analysis::walls_from_masks::WallParamsError),
+    Walls(#[from] WallParamsError),
 }
 
 impl Preparation {
     /// The settings of a road by default.
     pub fn of_road(road: Road) -> Self {
-        let walls = crate::analysis::walls_from_masks::WallParams::default();
+        let walls = WallParams::default();
         Self {
             road,
             spacing_mm: None,
@@ -119,6 +124,74 @@ impl Preparation {
             correct_shifts: walls.correct_shifts,
         }
     }
+}
+
+/// Distances between voxels: a mistake in the unit lies beyond.
+const MAX_SPACING_MM: f64 = 100.0;
+/// Lengths of a beat: 6 to 600 beats a minute.
+const CYCLE_MS: [f64; 2] = [100.0, 10_000.0];
+
+impl Preparation {
+    /// Checks all ranges; what was read from a file is in them.
+    ///
+    /// # Errors
+    /// With the first setting that cannot be.
+    pub fn check(&self) -> Result<(), SettingsError> {
+        let spacing = self.spacing_mm.iter().flatten().copied();
+        let possible = |mm: &f64| *mm > 0.0 && *mm <= MAX_SPACING_MM;
+        if let Some(wrong) = spacing.clone().find(|mm| !possible(mm)) {
+            return Err(SettingsError::Spacing(wrong));
+        }
+        self.check_times()?;
+        if !(0.0..=MAX_BLUR_MM).contains(&self.blur_mm) {
+            return Err(SettingsError::Blur(self.blur_mm));
+        }
+        if let Some(wrong) = self.threshold.filter(|share| !(*share > 0.0 && *share < 1.0)) {
+            return Err(SettingsError::Threshold(wrong));
+        }
+        for (number, edit) in (1..).zip(&self.edits) {
+            edit.check(number)?;
+        }
+        let points = self.points;
+        let marked = [points.apex, points.base, points.septum, points.blood];
+        if !marked.iter().flatten().all(is_finite) {
+            return Err(SettingsError::Geometry("a marked point"));
+        }
+        let is_outline = |c: &Contour| c.points.len() >= 3 && c.points.iter().all(is_finite);
+        if !self.contours.iter().all(is_outline) {
+            return Err(SettingsError::Geometry("an outline"));
+        }
+        self.wall_params().check()?;
+        Ok(())
+    }
+
+    fn check_times(&self) -> Result<(), SettingsError> {
+        match &self.times {
+            None => Ok(()),
+            Some(TypedTimes::Cycle(ms)) if (CYCLE_MS[0]..=CYCLE_MS[1]).contains(ms) => Ok(()),
+            Some(TypedTimes::Cycle(ms)) => Err(SettingsError::Cycle(*ms)),
+            Some(TypedTimes::Each(times)) => {
+                let increasing = times.windows(2).all(|pair| pair[0] < pair[1]);
+                match increasing && times.iter().all(|ms| ms.is_finite()) {
+                    true => Ok(()),
+                    false => Err(SettingsError::Times),
+                }
+            }
+        }
+    }
+
+    /// The settings of the surfaces among them.
+    pub(super) fn wall_params(&self) -> WallParams {
+        WallParams {
+            vertices: self.vertices,
+            correct_shifts: self.correct_shifts,
+            septum: self.points.septum,
+        }
+    }
+}
+
+fn is_finite(point: &Point3) -> bool {
+    point.coords.iter().all(|x| x.is_finite())
 }
 
 impl Default for Preparation {

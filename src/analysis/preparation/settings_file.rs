@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::settings::{BaseEnd, Preparation, SettingsError, TypedTimes};
 use super::Road;
+use super::settings::{BaseEnd, Preparation, SettingsError, TypedTimes};
 use crate::analysis::walls_from_masks::MaskLabels;
 use crate::image::{Contour, ContourPart, MarkedPoints, VolumeEdit};
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::Point3;
 
 /// The table. What is left out is as by default; a name that is not known is an error, so that none is misspelt unseen.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -36,7 +36,7 @@ pub(super) struct SettingsFile {
     #[serde(default)]
     points: Points,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    edits: Vec<Edit>,
+    edits: Vec<VolumeEdit>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     contours: Vec<Outline>,
 }
@@ -70,16 +70,6 @@ struct Points {
     septum: Option<[f64; 3]>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     blood: Option<[f64; 3]>,
-}
-
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-enum Edit {
-    CutPlane { point: [f64; 3], normal: [f64; 3] },
-    SphereEraser { centre: [f64; 3], radius_mm: f64 },
-    LargestComponent,
-    ComponentAt([f64; 3]),
-    FillHoles,
 }
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -140,7 +130,7 @@ impl From<Preparation> for SettingsFile {
                 septum: points.septum.map(numbers),
                 blood: points.blood.map(numbers),
             },
-            edits: settings.edits.iter().map(Edit::of).collect(),
+            edits: settings.edits,
             contours: settings.contours.iter().map(Outline::of).collect(),
         }
     }
@@ -173,7 +163,7 @@ impl TryFrom<SettingsFile> for Preparation {
             },
             blur_mm: file.blur_mm.unwrap_or(default.blur_mm),
             threshold: file.threshold,
-            edits: file.edits.iter().map(Edit::edit).collect(),
+            edits: file.edits,
             points: MarkedPoints {
                 apex: point(file.points.apex),
                 base: point(file.points.base),
@@ -200,40 +190,6 @@ pub(super) enum FileError {
     TimesTwice,
     #[error(transparent)]
     Setting(#[from] SettingsError),
-}
-
-impl Edit {
-    fn of(edit: &VolumeEdit) -> Self {
-        match *edit {
-            VolumeEdit::CutPlane { point, normal } => Self::CutPlane {
-                point: numbers(point),
-                normal: normal.into(),
-            },
-            VolumeEdit::SphereEraser { centre, radius_mm } => Self::SphereEraser {
-                centre: numbers(centre),
-                radius_mm,
-            },
-            VolumeEdit::LargestComponent => Self::LargestComponent,
-            VolumeEdit::ComponentAt(place) => Self::ComponentAt(numbers(place)),
-            VolumeEdit::FillHoles => Self::FillHoles,
-        }
-    }
-
-    fn edit(&self) -> VolumeEdit {
-        match *self {
-            Self::CutPlane { point, normal } => VolumeEdit::CutPlane {
-                point: point.into(),
-                normal: Vector3::from(normal),
-            },
-            Self::SphereEraser { centre, radius_mm } => VolumeEdit::SphereEraser {
-                centre: centre.into(),
-                radius_mm,
-            },
-            Self::LargestComponent => VolumeEdit::LargestComponent,
-            Self::ComponentAt(place) => VolumeEdit::ComponentAt(place.into()),
-            Self::FillHoles => VolumeEdit::FillHoles,
-        }
-    }
 }
 
 impl Outline {

@@ -28,7 +28,8 @@ impl Coverage {
             let high = places.fold(0.0, f64::max).ceil();
             (low as usize, high as usize)
         };
-        let ([left, right], [low, high]) = (<[usize; 2]>::from(range(0)), <[usize; 2]>::from(range(1)));
+        let ([left, right], [low, high]) =
+            (<[usize; 2]>::from(range(0)), <[usize; 2]>::from(range(1)));
         if right <= left || high <= low {
             return None;
         }
@@ -89,7 +90,10 @@ impl Coverage {
             };
             let within = 0.5 * (from + to) - cell as f64;
             let place = row * (self.width + 2) + cell;
-            for (share, added) in self.shares[place..].iter_mut().zip([part * (1.0 - within), part * within]) {
+            for (share, added) in self.shares[place..]
+                .iter_mut()
+                .zip([part * (1.0 - within), part * within])
+            {
                 *share += added;
             }
         }

@@ -61,7 +61,9 @@ pub enum ContourError {
     #[error("{0} encloses no area")]
     NoArea(ContourName),
     /// Its corners do not lie in a plane of slices.
-    #[error("{which} is not parallel to the slices: its corners lie {off_mm:.1} mm apart across them")]
+    #[error(
+        "{which} is not parallel to the slices: its corners lie {off_mm:.1} mm apart across them"
+    )]
     Oblique {
         /// Which contour.
         which: ContourName,
@@ -69,7 +71,9 @@ pub enum ContourError {
         off_mm: f64,
     },
     /// It lies in a plane between two slices.
-    #[error("{which} lies {off_mm:.1} mm beside the nearest slice, and slices are {step_mm:.1} mm apart")]
+    #[error(
+        "{which} lies {off_mm:.1} mm beside the nearest slice, and slices are {step_mm:.1} mm apart"
+    )]
     BetweenSlices {
         /// Which contour.
         which: ContourName,
@@ -81,6 +85,9 @@ pub enum ContourError {
     /// It lies outside of the image.
     #[error("{0} lies outside of the image")]
     Outside(ContourName),
+    /// It does not enclose the middle of the cavity in its slice.
+    #[error("{0} does not go around the middle of the cavity, so that no epicardium can be added")]
+    NotAround(ContourName),
     /// The contours reach over more voxels than masks may have, even without a finer grid.
     #[error("the contours reach over {voxels} voxels; at most {most} are possible")]
     TooLarge {

@@ -1,12 +1,13 @@
 //! Contours to masks on a grid that is fine enough for their areas.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::ContourError;
 use super::coverage::Coverage;
 use super::placing::{Placed, Placing, area, plane_distances_mm};
-use super::ContourError;
 use crate::analysis::walls_from_masks::{Masks, Tissue};
 use crate::image::{Contour, ContourPart, VolumeFrame};
 use crate::mesh::{Point3, Vector3};
@@ -41,12 +42,17 @@ pub fn masks_of_contours(
     contours: &[Contour],
 ) -> Result<Masks, ContourError> {
     let placing = Placing::of(frame, instants, contours)?;
-    let grid = FineGrid::of(frame, instants, &placing)?;
+    let grid = FineGrid::of(frame, &placing)?;
+    // Of a beat often two instants are drawn: all others share one empty mask.
+    let empty: Arc<[Tissue]> = grid.painted(std::iter::empty()).into();
     let masks: Vec<Arc<[Tissue]>> = (0..instants)
         .into_par_iter()
         .map(|instant| {
             let own = placing.contours.iter().filter(|c| c.instant == instant);
-            grid.painted(own).into()
+            match own.clone().next() {
+                Some(_) => grid.painted(own).into(),
+                None => empty.clone(),
+            }
         })
         .collect();
     Ok(Masks::new(grid.frame, masks)?)
@@ -64,11 +70,13 @@ struct FineGrid {
 }
 
 impl FineGrid {
-    fn of(frame: &VolumeFrame, instants: usize, placing: &Placing) -> Result<Self, ContourError> {
+    fn of(frame: &VolumeFrame, placing: &Placing) -> Result<Self, ContourError> {
         let [u, v, across] = placing.axes;
         let all = || placing.contours.iter().flat_map(|c| &c.corners);
         let low = [0, 1].map(|axis| {
-            let least = all().map(|corner| corner[axis]).fold(f64::INFINITY, f64::min);
+            let least = all()
+                .map(|corner| corner[axis])
+                .fold(f64::INFINITY, f64::min);
             (least + 0.5).floor() - MARGIN - 0.5
         });
         let size = [0, 1].map(|axis| {
@@ -79,10 +87,16 @@ impl FineGrid {
             ((greatest + 0.5).ceil() + MARGIN - 0.5 - low[axis]).round() as usize
         });
         let slices = frame.size()[across];
+        let drawn = placing
+            .contours
+            .iter()
+            .map(|c| c.instant)
+            .collect::<BTreeSet<_>>();
+        let drawn = drawn.len() as u64;
         let coarse = (size[0] as u64)
             .saturating_mul(size[1] as u64)
             .saturating_mul(slices as u64)
-            .saturating_mul(instants as u64);
+            .saturating_mul(drawn + 1);
         if coarse > MAX_VOXELS {
             return Err(ContourError::TooLarge {
                 voxels: coarse,
@@ -155,7 +169,8 @@ fn wanted_parts(frame: &VolumeFrame, placing: &Placing) -> usize {
     let greatest = areas.fold(0.0, f64::max);
     let [u, v, across] = placing.axes;
     let spacing = frame.spacing();
-    let by_step = spacing[u].max(spacing[v]) / (MAX_SHARE_OF_STEP * plane_distances_mm(frame)[across]);
+    let by_step =
+        spacing[u].max(spacing[v]) / (MAX_SHARE_OF_STEP * plane_distances_mm(frame)[across]);
     let wanted = (MIN_PIXELS / least)
         .max(MIN_PIXELS_OF_LARGEST / greatest)
         .sqrt()

@@ -57,7 +57,8 @@ impl Placing {
         }
         let across = axis_across(frame, &voxels);
         let axes = [(across + 1) % 3, (across + 2) % 3, across];
-        let placed = (voxels.into_iter()).map(|(which, corners)| placed(frame, axes, which, &corners));
+        let placed =
+            (voxels.into_iter()).map(|(which, corners)| placed(frame, axes, which, &corners));
         Ok(Self {
             axes,
             contours: placed.collect::<Result<_, _>>()?,

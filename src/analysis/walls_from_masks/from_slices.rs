@@ -1,6 +1,6 @@
 //! What a stack of slices shows of a ventricle: outlines around an axis, and where the septum lies.
 
-use crate::mesh::Vector3;
+use crate::mesh::{Point3, Vector3};
 use crate::progress::Progress;
 use crate::study::{Anatomy, Notice};
 
@@ -40,11 +40,14 @@ impl SliceStack {
             true => slice_shifts(&planes, &slices),
             false => vec![Place::zeros(); planes.count()],
         };
-        let septal_rad = septal_rad(&planes, masks);
+        let marked = params.get().septum;
+        let septal_rad = marked
+            .and_then(|septum| marked_septal_rad(&planes, masks, septum))
+            .or_else(|| septal_rad(&planes, masks));
         let mut notices = Vec::new();
         if septal_rad.is_none() {
             notices.push(Notice::info(
-                "no right ventricle in the masks: the septum is not known, and the first ray points to the left of the slices",
+                "no right ventricle in the masks, and no septum was marked: it is not known, and the first ray points to the left of the slices",
             ));
         }
         let reported = reported(&planes, &shifts);
@@ -123,6 +126,27 @@ fn centre(planes: &Planes, slice: usize, regions: &SliceRegions) -> Option<Place
     let middle = |region: &Option<Region>| region.as_ref().and_then(Region::centre);
     let centre = middle(&regions.cavity).or_else(|| middle(&regions.heart))?;
     Some(planes.place(slice, centre))
+}
+
+/// The direction within slices from the middle of the left ventricle, over all slices of the first instant, to a point that
+/// somebody marked; `None` where this lies on the axis itself.
+fn marked_septal_rad(planes: &Planes, masks: &Masks, septum: Point3) -> Option<f64> {
+    let voxels = masks.instants().first()?;
+    let mut sum = Place::zeros();
+    let mut count = 0;
+    for slice in 0..planes.count() {
+        let cavity = planes.region(voxels, slice, Tissue::Cavity);
+        if let Some(centre) = cavity.centre() {
+            sum += planes.place(slice, centre);
+            count += 1;
+        }
+    }
+    if count == 0 {
+        return None;
+    }
+    let towards = planes.place_of(septum) - sum / f64::from(count);
+    let direction = towards.try_normalize(planes.pixel_mm() * 1e-3)?;
+    Some(direction.y.atan2(direction.x))
 }
 
 /// The direction within slices from the left ventricle to the right one, over all slices and instants that show it.

@@ -1,5 +1,7 @@
 //! Settings of walls from masks.
 
+use crate::mesh::Point3;
+
 /// What can be set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallParams {
@@ -7,6 +9,9 @@ pub struct WallParams {
     pub vertices: usize,
     /// Whether slices that stand beside their neighbours (another breath-hold) are put back.
     pub correct_shifts: bool,
+    /// A point of the septum or beyond it in the world of the masks, where somebody marked one: only its direction from the
+    /// axis counts, and it wins over what the masks show.
+    pub septum: Option<Point3>,
 }
 
 impl Default for WallParams {
@@ -15,6 +20,7 @@ impl Default for WallParams {
         Self {
             vertices: 800,
             correct_shifts: true,
+            septum: None,
         }
     }
 }
@@ -30,6 +36,9 @@ pub enum WallParamsError {
     /// The number of vertices.
     #[error("{0} vertices a surface; {MIN_VERTICES} to {MAX_VERTICES} are possible")]
     Vertices(usize),
+    /// The point of the septum.
+    #[error("the coordinates of the septum are not finite numbers")]
+    Septum,
 }
 
 /// Settings in range.
@@ -40,12 +49,15 @@ impl WallParams {
     /// Checks the ranges.
     ///
     /// # Errors
-    /// If the number of vertices is out of range.
+    /// If the number of vertices is out of range, or the septum nowhere.
     pub fn check(self) -> Result<CheckedWallParams, WallParamsError> {
         if !(MIN_VERTICES..=MAX_VERTICES).contains(&self.vertices) {
             return Err(WallParamsError::Vertices(self.vertices));
         }
-        Ok(CheckedWallParams(self))
+        match self.septum.iter().all(|septum| septum.iter().all(|x| x.is_finite())) {
+            true => Ok(CheckedWallParams(self)),
+            false => Err(WallParamsError::Septum),
+        }
     }
 }
 

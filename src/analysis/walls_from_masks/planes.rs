@@ -145,6 +145,12 @@ impl Planes {
         self.origin + x * place.x + y * place.y + z * height
     }
 
+    /// The place of a position within its slice.
+    pub fn place_of(&self, position: Point3) -> Place {
+        let away = position - self.origin;
+        Place::new(away.dot(&self.axes[0]), away.dot(&self.axes[1]))
+    }
+
     /// The height of a position.
     pub fn height_of(&self, position: Point3) -> f64 {
         (position - self.origin).dot(&self.axes[2])

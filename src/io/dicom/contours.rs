@@ -3,8 +3,8 @@
 use super::element::DataSet;
 use super::layout::unsupported;
 use super::tag::{
-    CONTOUR_DATA, CONTOUR_KIND, CONTOURS, REFERENCED_STRUCTURE, STRUCTURE_CONTOURS, STRUCTURE_NAME,
-    STRUCTURE_NUMBER, STRUCTURES,
+    CONTOUR_DATA, CONTOUR_IMAGES, CONTOUR_KIND, CONTOURS, REFERENCED_INSTANCE,
+    REFERENCED_STRUCTURE, STRUCTURE_CONTOURS, STRUCTURE_NAME, STRUCTURE_NUMBER, STRUCTURES,
 };
 use crate::io::image_file::ReadImageError;
 use crate::mesh::Point3;
@@ -18,6 +18,9 @@ pub struct ContouredStructure {
     pub part: Option<&'static str>,
     /// Closed polygons, each in one plane, in millimetres (LPS). The first point does not stand again at the end.
     pub polygons: Vec<Vec<Point3>>,
+    /// For each polygon the unique name of the image that it was drawn in (SOP Instance UID), where one is said. It is never
+    /// shown.
+    pub images: Vec<Option<String>>,
 }
 
 /// Words of names, in order of preference, with what they mean.
@@ -60,10 +63,15 @@ pub(super) fn structures(
         let Some(number) = item.count(REFERENCED_STRUCTURE).map(|number| number as u32) else {
             continue;
         };
-        let mut polygons = Vec::new();
+        let (mut polygons, mut images) = (Vec::new(), Vec::new());
         for contour in item.items(CONTOURS) {
             if contour.text(CONTOUR_KIND) == Some("CLOSED_PLANAR") {
                 polygons.push(polygon(&contour, most, &mut left)?);
+                let image = contour.items(CONTOUR_IMAGES).into_iter().next();
+                let name = image
+                    .as_ref()
+                    .and_then(|image| image.text(REFERENCED_INSTANCE));
+                images.push(name.map(str::to_owned));
             }
         }
         if !polygons.is_empty() {
@@ -72,6 +80,7 @@ pub(super) fn structures(
                 number,
                 part: name.and_then(|(_, part)| *part),
                 polygons,
+                images,
             });
         }
     }

@@ -58,6 +58,7 @@ fn read_sources(
     progress.begin_phase("stacking slices", 0.7, 1.0);
     let mut assembly = Assembly::new(limits, progress);
     let mut refused = sources.refused;
+    let files = read.iter().map(|(name, _)| name.clone()).collect();
     let alone = read.len() == 1;
     for (name, held) in read {
         if let Err(reason) = held.and_then(|held| assembly.take(held)) {
@@ -65,6 +66,7 @@ fn read_sources(
         }
     }
     let mut reading = assembly.finish(alone)?;
+    reading.files = files;
     reading.count_refused(refused);
     Ok(reading)
 }

@@ -15,6 +15,8 @@ pub struct DicomReading {
     pub studies: Vec<usize>,
     /// Where the images of the files went, for stacks of single images.
     pub sources: Vec<SliceSource>,
+    /// The names (last parts of the paths) of all files that were read, by the number that [`SliceSource`] gives them.
+    pub files: Vec<String>,
     /// The structures of files of contours.
     pub contours: Vec<ContouredStructure>,
     /// What is no part of a series.

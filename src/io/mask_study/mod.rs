@@ -10,4 +10,5 @@ mod tests;
 
 pub use find::{MaskFiles, MaskKind, find_mask_studies};
 pub use info::MaskFacts;
+pub(in crate::io) use name::is_mask_name;
 pub use read::{MaskSeries, MaskStudyError, read_masks};

@@ -73,6 +73,11 @@ pub(super) fn mask_name(name: &str) -> Option<MaskName> {
     })
 }
 
+/// Whether a file is one of masks by its name.
+pub(in crate::io) fn is_mask_name(name: &str) -> bool {
+    mask_name(name).is_some()
+}
+
 /// What stands before the last `_`, `-` or `.`, and the word after it.
 fn last_word(text: &str) -> Option<(&str, &str)> {
     let at = text.rfind(['_', '-', '.'])?;
