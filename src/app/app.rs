@@ -229,6 +229,7 @@ impl App {
             Effect::ChooseFolderToAdd => {
                 files.ask_to_add(&exporting, PathQuestion::OpenFolders);
             }
+            Effect::AddWalls(images) => self.background.add_walls(&mut self.state, &images),
             Effect::Add(paths) => self.background.add(&self.state, paths),
             Effect::ExportStudy { folder, then } => {
                 files.ask_for_study(&mut exporting, folder, then);

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::analysis::preparation::Preparation;
 use crate::engine::{Engine, OpenSource, Stage, StoreOptions, Wake};
 use crate::io::{Opened, renew_cohort_notices};
 use crate::panes::{Command, FileCommand};
@@ -12,6 +13,7 @@ use crate::ui::text::counted;
 
 use super::apply::{Moment, change};
 use super::asks::Asks;
+use super::imports::{add_walls, panes_of_images};
 use super::errors::{push_card, push_failure, push_open_errors};
 use crate::document::StudyExport;
 use crate::document::document::OpeningReport;
@@ -46,14 +48,22 @@ impl Background {
     }
 
     /// Takes in what finished since the last frame; gives what is to be done after it.
-    pub fn poll(&mut self, state: &mut State) -> Option<Command> {
-        let mut next = None;
+    pub fn poll(&mut self, state: &mut State) -> Vec<Command> {
+        let mut next = Vec::new();
         self.engine.poll();
         for stage in self.engine.take_stages() {
+            let ended = matches!(stage, Stage::Ended(_));
             self.take_stage(state, stage);
+            if ended {
+                next.extend(panes_of_images(state));
+            }
         }
         if let Some(opened) = self.engine.take_opened() {
+            let before = state.document.study.opening;
             take_opened(state, opened);
+            if state.document.study.opening != before {
+                next.extend(panes_of_images(state));
+            }
         }
         if let Some(added) = self.engine.take_added() {
             let moment = Moment {
@@ -64,7 +74,7 @@ impl Background {
             take_added(state, added, self.added_to, &moment);
         }
         if let Some(files) = self.engine.take_exported() {
-            next = take_exported(state, &files);
+            next.extend(take_exported(state, &files));
         }
         for failure in self.engine.take_failures() {
             push_failure(&mut state.errors, &failure);
@@ -76,6 +86,16 @@ impl Background {
     pub fn add(&mut self, state: &State, paths: Vec<PathBuf>) {
         self.added_to = state.document.study.opening;
         self.engine.add(OpenSource::Paths(paths));
+    }
+
+    /// Puts walls of images into the study on screen.
+    pub fn add_walls(&mut self, state: &mut State, images: &[(usize, Arc<Preparation>)]) {
+        let moment = Moment {
+            now_s: 0.0,
+            pointer_held: false,
+            fresh_revision: self.engine.next_revision(),
+        };
+        add_walls(state, self.engine.store(), images, &moment);
     }
 
     /// Asks for what the state on screen needs, and has the state show what is known.
@@ -151,6 +171,7 @@ fn take_opened(state: &mut State, opened: Opened) {
 
 fn opened_words(study: &Study) -> String {
     match study.subjects.as_slice() {
+        [] => "Opened images".to_owned(),
         [one] => format!("Opened {}", one.id),
         all => format!("Opened {} subjects", all.len()),
     }
@@ -171,7 +192,7 @@ fn take_added(state: &mut State, added: Opened, added_to: u64, moment: &Moment) 
         Some("another study was opened meanwhile")
     } else if !state.document.study().unread.is_empty() {
         Some("the study on screen is still being read")
-    } else if added.study.subjects.is_empty() {
+    } else if added.study.subjects.is_empty() && added.images.is_empty() {
         Some("no mesh files that can be read were found")
     } else {
         None
@@ -190,6 +211,8 @@ fn take_added(state: &mut State, added: Opened, added_to: u64, moment: &Moment) 
             ..notice
         }));
     report.errors.extend(added.errors);
+    let before = report.images.iter().cloned();
+    report.images = Arc::new(before.chain(added.images).collect());
     change(state, moment, None, |document| {
         document.show_relisted(study);
         document.study.report = Arc::new(report);

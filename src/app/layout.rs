@@ -11,7 +11,7 @@ use crate::panes::{PANES, Pane, Place};
 const COLUMN_SHARES: [f32; 3] = [0.2, 0.505, 0.295];
 
 /// Panes that a fresh layout does not show: images bring them.
-const CLOSED_AT_FIRST: [Pane; 1] = [Pane::SLICES];
+const CLOSED_AT_FIRST: [Pane; 3] = [Pane::SLICES, Pane::IMPORT, Pane::BATCH];
 
 /// Shares of the right column's height: map, and below it measures beside curves.
 const RIGHT_SHARES: [f32; 2] = [0.53, 0.47];

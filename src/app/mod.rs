@@ -23,6 +23,7 @@ mod export;
 mod figure_file;
 mod first_picture;
 mod frame_ui;
+mod imports;
 mod layout;
 mod let_go;
 mod opened_classifiers;

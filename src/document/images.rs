@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::image::VolumeFrame;
 use crate::io::{ImageSeries, OpenedImages};
 use crate::mesh::Point3;
 use crate::study::CycleTiming;
@@ -106,9 +107,30 @@ impl Document {
         (instants.min_by(|a, b| apart(*a).total_cmp(&apart(*b)))).unwrap_or(0)
     }
 
+    /// Where the voxels of the images on screen stand: as the file says, or by the distances that were typed.
+    pub fn image_frame(&self) -> Option<VolumeFrame> {
+        let frame = *self.shown_series()?.image.frame();
+        let settings = self.import.settings.get(&self.slices.images?);
+        let Some(spacing_mm) = settings.and_then(|settings| settings.spacing_mm) else {
+            return Some(frame);
+        };
+        let directions = frame.directions();
+        let steps = [0, 1, 2].map(|axis| directions[axis] * spacing_mm[axis]);
+        // Distances that place no grid are never set.
+        VolumeFrame::new(frame.size(), frame.origin(), steps).ok().or(Some(frame))
+    }
+
+    /// Whether distances in the images on screen are in millimetres.
+    pub fn images_are_measured(&self) -> bool {
+        let series = self.shown_series().is_some_and(|series| series.spacing_known());
+        let images = self.slices.images;
+        let settings = images.and_then(|images| self.import.settings.get(&images));
+        series || settings.is_some_and(|settings| settings.spacing_mm.is_some())
+    }
+
     /// Where the slices cross, in the world of the image on screen.
     pub fn crosshair(&self) -> Option<Point3> {
-        let frame = self.shown_series()?.image.frame();
+        let frame = self.image_frame()?;
         let middle = frame.size().map(|count| 0.5 * (count as f64 - 1.0));
         let middle = || frame.position(Point3::from(middle));
         Some(self.slices.crosshair.unwrap_or_else(middle))

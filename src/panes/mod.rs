@@ -16,6 +16,7 @@ pub(crate) mod curves;
 pub(crate) mod cycle_axis;
 pub(crate) mod deformation_map;
 pub(crate) mod figure;
+pub(crate) mod import;
 pub(crate) mod measures;
 pub(crate) mod medial_map;
 pub(crate) mod metric;

@@ -3,7 +3,7 @@
 use super::commands::Pane;
 use super::pane::PaneSpec;
 use super::{
-    activity, bulls_eye, cohort, curves, deformation_map, measures, medial_map, metric, patch,
+    activity, bulls_eye, cohort, curves, deformation_map, import, measures, medial_map, metric, patch,
     pose_map, slices, spatiotemporal, thickness, verdict, viewport,
 };
 
@@ -12,8 +12,10 @@ pub const PANES: &[PaneSpec] = &[
     cohort::spec::PANE,
     activity::spec::PANE,
     metric::spec::PANE,
+    import::spec::PANE,
     viewport::spec::PANE,
     slices::spec::PANE,
+    import::spec::BATCH_PANE,
     pose_map::spec::PANE,
     deformation_map::spec::PANE,
     spatiotemporal::spec::PANE,
@@ -56,8 +58,10 @@ mod tests {
             "cohort",
             "activity",
             "metric",
+            "import",
             "viewport",
             "slices",
+            "batch",
             "pose_map",
             "deformation_map",
             "space_time",

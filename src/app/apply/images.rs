@@ -44,10 +44,9 @@ fn show_series(document: &mut Document, series: usize) {
 
 /// Moves the crosshair to the place of the volume that is nearest to this one.
 fn move_to(document: &mut Document, at: Point3) {
-    let Some(series) = document.shown_series() else {
+    let Some(frame) = document.image_frame() else {
         return;
     };
-    let frame = series.image.frame();
     let mut voxel = frame.voxel(at);
     for axis in 0..3 {
         voxel[axis] = voxel[axis].clamp(0.0, frame.size()[axis] as f64 - 1.0);
@@ -59,10 +58,9 @@ fn move_to(document: &mut Document, at: Point3) {
 }
 
 fn step_slice(document: &mut Document, step: i32) {
-    let Some((series, at)) = document.shown_series().zip(document.crosshair()) else {
+    let Some((frame, at)) = document.image_frame().zip(document.crosshair()) else {
         return;
     };
-    let frame = series.image.frame();
     let mut voxel = frame.voxel(at);
     voxel[SLICE_AXIS] = voxel[SLICE_AXIS].round() + f64::from(step);
     let at = frame.position(voxel);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::measures::{SubjectMeasures, measure_subject};
 use crate::analysis::preparation::{Preparation, Prepared, Segmented, segmented, walls};
-use crate::engine::image_walls::subject_of_walls;
+use crate::engine::queries::image_subject::subject_of_walls;
 use crate::engine::queries::image_series::{SeriesRef, interrupted};
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::{Study, Subject};

@@ -94,9 +94,9 @@ fn volume_words(made: &ImageWalls) -> String {
     let unit = made.subject.unit.volume_symbol();
     let volume = |name: &str, value: Option<f64>| value.map(|value| format!("{name} {value:.0} {unit}"));
     let parts = [
-        volume("EDV", measures.edv()),
-        volume("ESV", measures.esv()),
-        measures.ejection_fraction().map(|ef| format!("EF {:.0} %", 100.0 * ef)),
+        volume("EDV", measures.edv),
+        volume("ESV", measures.esv),
+        measures.ef.map(|ef| format!("EF {:.0} %", 100.0 * ef)),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     parts.join(" · ")

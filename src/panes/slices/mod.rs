@@ -4,6 +4,7 @@
 //! picture, `section.rs` cuts surfaces with it, `slice.rs` draws one slice and hears what is done in it.
 
 pub(crate) mod grey;
+mod overlays;
 pub(crate) mod plane;
 pub(crate) mod section;
 mod slice;

@@ -38,6 +38,14 @@ pub struct Mark {
     pub name: &'static str,
 }
 
+/// A place that was clicked or dragged over.
+pub struct Place {
+    /// Where on the grid.
+    pub voxel: Point3,
+    /// Whether the pointer is held and moves.
+    pub dragged: bool,
+}
+
 /// What one slice shows.
 pub struct SliceTile<'a> {
     /// The grid of the image.
@@ -99,8 +107,8 @@ impl SliceTile<'_> {
         self.plane.voxel(self.frame, [x.into(), y.into()], depth)
     }
 
-    /// Draws the slice; the place of the grid that was clicked, or is dragged over, with the primary button.
-    pub fn ui(&self, ui: &mut Ui, tile: Rect, commands: &mut Vec<Command>) -> Option<Point3> {
+    /// Draws the slice; the place that was clicked, or is dragged over, with the primary button.
+    pub fn ui(&self, ui: &mut Ui, tile: Rect, commands: &mut Vec<Command>) -> Option<Place> {
         let id = ui.scope_id().with(("slice", self.plane.normal));
         let response = ui.interact(tile, id, Sense::click_and_drag());
         let name = self.name();
@@ -119,7 +127,7 @@ impl SliceTile<'_> {
         image: Rect,
         response: &Response,
         commands: &mut Vec<Command>,
-    ) -> Option<Point3> {
+    ) -> Option<Place> {
         if clicked_twice(response) {
             commands.push(ImagesCommand::SetWindow(None).into());
             return None;
@@ -141,7 +149,10 @@ impl SliceTile<'_> {
         if with_key || !(response.clicked() || dragged) {
             return None;
         }
-        Some(self.voxel_at(image, at, self.cross[self.plane.normal]))
+        Some(Place {
+            voxel: self.voxel_at(image, at, self.cross[self.plane.normal]),
+            dragged,
+        })
     }
 
     fn dragged_window(&self, delta: egui::Vec2) -> GreyWindow {
@@ -179,7 +190,7 @@ impl SliceTile<'_> {
     }
 
     /// With the keyboard on a slice, arrows move the crosshair, page keys step through slices, and Enter is a click.
-    fn keys(&self, ui: &Ui, response: &Response, commands: &mut Vec<Command>) -> Option<Point3> {
+    fn keys(&self, ui: &Ui, response: &Response, commands: &mut Vec<Command>) -> Option<Place> {
         if !response.has_focus() {
             return None;
         }
@@ -204,7 +215,10 @@ impl SliceTile<'_> {
                 commands.push(self.stepped(axis, step));
             }
         }
-        pressed(Key::Enter).then_some(self.cross)
+        pressed(Key::Enter).then_some(Place {
+            voxel: self.cross,
+            dragged: false,
+        })
     }
 
     fn draw(&self, ui: &Ui, tile: Rect, image: Rect, response: &Response) {

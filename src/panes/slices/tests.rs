@@ -67,7 +67,7 @@ fn slice() -> Harness<'static, Slice> {
                 };
                 let rect = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(208.0, 208.0));
                 let clicked = tile.ui(ui, rect, &mut state.commands);
-                state.clicked.extend(clicked);
+                state.clicked.extend(clicked.map(|place| place.voxel));
             },
             Slice {
                 commands: Vec::new(),

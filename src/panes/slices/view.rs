@@ -6,19 +6,20 @@ use egui::{Rect, Ui, vec2};
 
 use super::grey::FoundWindow;
 use super::plane::SlicePlane;
-use super::section::section;
-use super::slice::{Outline, SliceTile, value_text};
+use super::overlays::{Shown, marks};
+use super::slice::{SliceTile, value_text};
 use super::texture::{SlicePicture, SliceTextures};
 use crate::document::{State, image_timing};
 use crate::io::ImageSeries;
 use crate::mesh::Point3;
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, FileCommand, ImagesCommand};
+use crate::panes::import::current::Current;
+use crate::panes::import::tools::{clicked, strokes};
 use crate::panes::pane_context::PaneContext;
-use crate::study::SurfaceKind;
 use crate::ui::controls::empty_pane_ui;
 use crate::ui::style::{note, title_font};
-use crate::ui::theme::{Colours, colours, space};
+use crate::ui::theme::{colours, space};
 
 /// Draws the slices, or what would fill the pane.
 pub fn slices_ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
@@ -29,11 +30,22 @@ pub fn slices_ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>)
     };
     let area = ui.available_rect_before_wrap().shrink(space::MEDIUM);
     let [first, second, third, rest] = tiles(area);
+    let current = Current::shown(cx);
+    let over = Over {
+        shown: Shown::of(cx, current.as_ref()),
+        current,
+    };
     for (normal, rect) in [(2, first), (1, second), (0, third)] {
-        slice_ui(ui, cx, series, (normal, rect), commands);
+        slice_ui(ui, cx, (series, &over), (normal, rect), commands);
     }
     let mut rest = ui.new_child(egui::UiBuilder::new().max_rect(rest.shrink(space::SMALL)));
     facts_ui(&mut rest, cx, series);
+}
+
+/// What lies over the slices, and whose import a click belongs to.
+struct Over {
+    shown: Shown,
+    current: Option<Current>,
 }
 
 /// Four tiles, two above two.
@@ -61,16 +73,16 @@ fn no_images_ui(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 fn slice_ui(
     ui: &mut Ui,
     cx: &PaneContext<'_>,
-    series: &Arc<ImageSeries>,
+    (series, over): (&Arc<ImageSeries>, &Over),
     (normal, rect): (usize, Rect),
     commands: &mut Vec<Command>,
 ) {
     let state = cx.state();
     let document = &state.document;
-    let frame = series.image.frame();
-    let Some(cross) = document.crosshair() else {
+    let Some((frame, cross)) = document.image_frame().zip(document.crosshair()) else {
         return;
     };
+    let frame = &frame;
     let instant = document.instant();
     let found = cx.memo().get::<FoundWindow>().borrow_mut().of(series);
     let window = document.slices.window.unwrap_or(found);
@@ -83,7 +95,7 @@ fn slice_ui(
         outlines: Vec::new(),
         marks: Vec::new(),
         oriented: series.position_known,
-        measured: series.spacing_known(),
+        measured: document.images_are_measured(),
         value: &|voxel| value_at(series, instant, voxel),
     };
     let picture = SlicePicture {
@@ -96,11 +108,28 @@ fn slice_ui(
     let textures = cx.memo().get::<SliceTextures>();
     tile.texture = textures.borrow_mut().texture(ui.ctx(), series, picture);
     if document.slices.outlines {
-        tile.outlines = outlines(state, series, normal, tile.depth());
+        let outlines = over.shown.outlines(frame, instant, (normal, tile.depth()));
+        tile.outlines = outlines;
     }
-    if let Some(voxel) = tile.ui(ui, rect, commands) {
-        commands.push(ImagesCommand::MoveTo(frame.position(voxel)).into());
+    if let Some(current) = &over.current {
+        tile.marks = marks(cx, current, frame);
     }
+    if let Some(place) = tile.ui(ui, rect, commands) {
+        let at = frame.position(place.voxel);
+        commands.extend(place_command(state, over, (at, place.dragged)));
+    }
+}
+
+/// What a click or a stroke at a position asks for: the tool in hand, else the crosshair.
+fn place_command(state: &State, over: &Over, (at, dragged): (Point3, bool)) -> Option<Command> {
+    let crosshair = || Some(ImagesCommand::MoveTo(at).into());
+    let Some((tool, current)) = state.image_tool.zip(over.current.as_ref()) else {
+        return crosshair();
+    };
+    if dragged && !strokes(tool) {
+        return crosshair();
+    }
+    clicked(current, tool, state.document.import.eraser_mm, at, dragged)
 }
 
 /// The value of the voxel nearest to a place of the grid.
@@ -116,43 +145,6 @@ fn value_at(series: &ImageSeries, instant: usize, voxel: Point3) -> Option<f32> 
     }
     let value = *series.image.volumes().get(instant)?.get(index)?;
     value.is_finite().then_some(value)
-}
-
-/// The surfaces of the subject of the images, cut by a slice.
-fn outlines(
-    state: &State,
-    series: &ImageSeries,
-    normal: usize,
-    depth: usize,
-) -> Vec<Outline> {
-    let document = &state.document;
-    let subject = document.slices.images;
-    let subject = subject.and_then(|images| document.subject_of_images(images));
-    let selected = subject.filter(|subject| *subject == document.subject);
-    let Some(subject) = selected.and_then(|_| document.selected()) else {
-        return Vec::new();
-    };
-    let surfaces = subject.sequence.surfaces().iter();
-    surfaces
-        .filter_map(|surface| {
-            let mesh = surface.frames().get(document.frame())?;
-            let frame = series.image.frame();
-            let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
-            Some(Outline {
-                pieces: section(frame, vertices, triangles, normal, depth as f64),
-                colour: outline_colour(surface.kind()),
-            })
-        })
-        .collect()
-}
-
-/// The colour of a surface over an image, which stands before black in both themes.
-pub fn outline_colour(kind: SurfaceKind) -> egui::Color32 {
-    let colours = Colours::of(true);
-    match kind {
-        SurfaceKind::Epicardium => colours.epicardium,
-        _ => colours.endocardium,
-    }
 }
 
 /// Whose heart it is, at which instant, and what the image is like.
