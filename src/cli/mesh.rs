@@ -15,7 +15,7 @@ use crate::engine::{
 };
 use crate::io::{MeshFormat, write_study};
 use crate::report::{FitRow, csv};
-use crate::study::{Severity, SurfaceKind};
+use crate::study::{Notice, Severity, SurfaceKind};
 
 /// Options of `mesh`.
 #[derive(Debug, Args)]
@@ -148,10 +148,12 @@ fn as_json(args: &MeshArgs, made: &MaskWalls) -> serde_json::Value {
         })
         .collect();
     let errors: Vec<String> = made.errors.iter().map(ToString::to_string).collect();
+    let notices: Vec<&str> = made.notices.iter().map(|n| n.text.as_str()).collect();
     json!({
         "folder": args.out.display().to_string(),
         "subjects": subjects,
         "errors": errors,
+        "notices": notices,
     })
 }
 
@@ -190,18 +192,26 @@ fn as_text(args: &MeshArgs, made: &MaskWalls) -> String {
             subject.sequence.frame_count(),
             subject.unit.length_symbol(),
         ));
-        for notice in &subject.notices {
-            let warning = match notice.severity {
-                Severity::Info => "",
-                Severity::Warning => "warning: ",
-            };
-            lines.push(format!("  {warning}{}", notice.text));
-        }
+        lines.extend(
+            subject
+                .notices
+                .iter()
+                .map(|notice| format!("  {}", told(notice))),
+        );
     }
+    lines.extend(made.notices.iter().map(told));
     let count = study.subjects.len();
     let plural = if count == 1 { "subject" } else { "subjects" };
     lines.push(format!("{count} {plural}: {}", args.out.display()));
     lines.join("\n")
+}
+
+fn told(notice: &Notice) -> String {
+    let warning = match notice.severity {
+        Severity::Info => "",
+        Severity::Warning => "warning: ",
+    };
+    format!("{warning}{}", notice.text)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use crate::analysis::walls_from_masks::{
 };
 use crate::io::{
     ImageSeries, Limits, MaskFiles, MaskSeries, MaskStudyError, OpenError, find_mask_studies,
-    read_masks,
+    read_masks, united_notices,
 };
 use crate::progress::{Progress, Stopped};
 use crate::study::{CycleTiming, LabelClasses, Notice, Study, Subject};
@@ -34,6 +34,8 @@ pub struct MaskWalls {
     pub fits: Vec<(String, SurfaceFit)>,
     /// One for each file or subject that gave no walls.
     pub errors: Vec<OpenError>,
+    /// What the files of most subjects say alike.
+    pub notices: Vec<Notice>,
 }
 
 /// Why a subject has no walls.
@@ -97,13 +99,15 @@ pub fn mask_walls(
         errors,
         ..MaskWalls::default()
     };
+    let (mut subjects, mut of_files) = (Vec::new(), Vec::new());
     for (files, walled) in found.iter().zip(made) {
         match walled {
-            Ok((subject, fits)) => {
+            Ok((subject, fits, said)) => {
                 walls
                     .fits
                     .extend(fits.into_iter().map(|fit| (subject.id.clone(), fit)));
-                walls.study.subjects.push(Arc::new(subject));
+                subjects.push(subject);
+                of_files.push(said);
             }
             Err(SubjectError::Stopped(stopped)) => return Err(stopped),
             Err(SubjectError::Read(MaskStudyError::File(error))) => walls.errors.push(OpenError {
@@ -117,13 +121,22 @@ pub fn mask_walls(
             }),
         }
     }
+    walls.notices = united_notices(&mut of_files);
+    let whole = subjects
+        .into_iter()
+        .zip(of_files)
+        .map(|(mut subject, said)| {
+            subject.notices.splice(0..0, said);
+            Arc::new(subject)
+        });
+    walls.study.subjects = whole.collect();
     walls.study.name = study_name(paths);
     walls.study.label_classes = label_classes(&walls.study.subjects);
     Ok(walls)
 }
 
-/// A subject and how its surfaces lie on its masks.
-type Walled = (Subject, Vec<SurfaceFit>);
+/// A subject, how its surfaces lie on its masks, and what is said of the files.
+type Walled = (Subject, Vec<SurfaceFit>, Vec<Notice>);
 
 fn walled(
     files: &MaskFiles,
@@ -149,11 +162,10 @@ fn walled(
     subject.end_diastole = place(facts.end_diastole);
     subject.end_systole = place(facts.end_systole);
     subject.timing = timing(&series, &drawn);
-    for image in &series.images {
-        for notice in &image.notices {
-            if !subject.notices.contains(notice) {
-                subject.notices.push(notice.clone());
-            }
+    let mut said: Vec<Notice> = Vec::new();
+    for notice in series.images.iter().flat_map(|image| &image.notices) {
+        if !said.contains(notice) {
+            said.push(notice.clone());
         }
     }
     let all: usize = series
@@ -171,7 +183,7 @@ fn walled(
     subject.notices.extend(walls.notices);
     let labels = (!series.pair).then_some(&settings.labels);
     subject.notices.extend(how_made(&walls.fits, labels));
-    Ok((subject, walls.fits))
+    Ok((subject, walls.fits, said))
 }
 
 /// That the walls come from masks, by which labels if there are some, and how near they are to them.

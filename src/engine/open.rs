@@ -88,6 +88,7 @@ fn walls_or(
     Ok(Opened {
         study: made.study,
         errors: made.errors,
+        notices: made.notices,
         ..Opened::default()
     })
 }

@@ -53,6 +53,7 @@ pub use limits::{
 };
 pub use mask_study::{
     MaskFacts, MaskFiles, MaskKind, MaskSeries, MaskStudyError, find_mask_studies, read_masks,
+    united_notices,
 };
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;

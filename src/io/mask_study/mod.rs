@@ -7,8 +7,10 @@ mod name;
 mod read;
 #[cfg(test)]
 mod tests;
+mod united;
 
 pub use find::{MaskFiles, MaskKind, find_mask_studies};
 pub use info::MaskFacts;
 pub(in crate::io) use name::is_mask_name;
+pub use united::united_notices;
 pub use read::{MaskSeries, MaskStudyError, read_masks};
