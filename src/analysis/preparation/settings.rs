@@ -87,7 +87,7 @@ pub enum SettingsError {
     #[error("times of volumes must be increasing numbers of milliseconds")]
     Times,
     /// The length of a beat.
-    #[error("a beat of {0} ms; {} to {} are possible", CYCLE_MS[0], CYCLE_MS[1])]
+    #[error("a beat of {0} ms; {least} to {most} are possible", least = CYCLE_MS[0], most = CYCLE_MS[1])]
     Cycle(f64),
     /// The blur.
     #[error("a blur of {0} mm; 0 to {MAX_BLUR_MM} are possible")]
