@@ -145,7 +145,8 @@ fn walled(
     progress: &Progress,
 ) -> Result<Walled, SubjectError> {
     let series = read_masks(files, limits, progress)?;
-    let (masks, drawn) = joined(&series, &settings.labels)?.drawn()?;
+    let labels = labels_of(&series, settings);
+    let (masks, drawn) = joined(&series, &labels)?.drawn()?;
     let walls = walls_from_masks(&masks, &settings.walls, progress)?;
     let unit = match series.images.iter().all(ImageSeries::spacing_known) {
         true => LengthUnit::Millimetre,
@@ -181,9 +182,21 @@ fn walled(
     }
     subject.notices.extend(files.notices.iter().cloned());
     subject.notices.extend(walls.notices);
-    let labels = (!series.pair).then_some(&settings.labels);
+    let labels = (!series.pair).then_some(&labels);
     subject.notices.extend(how_made(&walls.fits, labels));
     Ok((subject, walls.fits, said))
+}
+
+/// The labels of the settings; those that a file names itself, unless others than those of ACDC were asked for.
+fn labels_of(series: &MaskSeries, settings: &MaskWallSettings) -> MaskLabels {
+    let named = series
+        .labels
+        .filter(|_| settings.labels == MaskLabels::default());
+    named.map_or(settings.labels, |named| MaskLabels {
+        cavity: named.cavity,
+        wall: named.wall,
+        right: named.right,
+    })
 }
 
 /// That the walls come from masks, by which labels if there are some, and how near they are to them.
