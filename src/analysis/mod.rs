@@ -22,3 +22,4 @@ pub mod transport;
 pub mod verdicts;
 pub mod walls_from_contours;
 pub mod walls_from_masks;
+pub mod walls_from_spect;

@@ -13,7 +13,7 @@ use crate::cli::image::ImageArgs;
 use crate::cli::limit_options::LimitOptions;
 use crate::cli::map_options::MapOptions;
 use crate::cli::medial::MedialArgs;
-use crate::cli::mesh::MeshArgs;
+use crate::cli::mesh_args::MeshArgs;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
@@ -58,7 +58,7 @@ pub enum Command {
     Info(InfoArgs),
     /// Lists the series of images in files and folders: grid, times, gates, values
     Image(ImageArgs),
-    /// Makes walls from masks, as a study on disk
+    /// Makes walls from images and masks, as a study on disk
     Mesh(MeshArgs),
     /// Runs the whole analysis: tables, maps, summary, figures, report
     Analyze(AnalyzeArgs),

@@ -96,7 +96,7 @@ impl Values {
 
 impl Summary {
     fn of(found: FoundImage) -> Self {
-        let FoundImage { path, series } = found;
+        let FoundImage { path, series, .. } = found;
         let image = &series.image;
         Self {
             path,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::cli::outcome::CliError;
-use crate::cli::print::say;
+use crate::cli::print::{on_one_line, say};
 use crate::cli::words::UnitWord;
 use crate::cli::work::run_work;
 use crate::engine::{
@@ -30,9 +30,21 @@ pub(super) fn opened_study(paths: &[PathBuf]) -> Result<Arc<Study>, CliError> {
     for notice in odd {
         say(&format!("cardiomorph: warning: {}", notice.text));
     }
+    // Images that gave no walls say what they need.
+    let images = opened.images.iter().filter(|images| images.made.is_none());
+    for (id, notice) in images.flat_map(|images| images.notices.iter().map(|n| (&images.id, n))) {
+        if notice.severity == Severity::Warning {
+            say(&format!(
+                "cardiomorph: {}: {}",
+                on_one_line(id),
+                notice.text
+            ));
+        }
+    }
     if opened.study.subjects.is_empty() {
         return Err(CliError::Unusable(match opened.errors.len() {
-            0 => "no meshes were found".to_owned(),
+            0 if opened.images.is_empty() => "no meshes were found".to_owned(),
+            0 => "no walls could be made of the images".to_owned(),
             _ => "nothing could be opened".to_owned(),
         }));
     }

@@ -25,6 +25,7 @@ mod map_options;
 mod measure;
 mod medial;
 mod mesh;
+mod mesh_args;
 mod metric;
 mod metric_options;
 mod outcome;

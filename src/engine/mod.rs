@@ -16,9 +16,11 @@ mod export;
 #[cfg(test)]
 mod facade_tests;
 mod file_names;
+mod image_walls;
 mod job;
 mod mask_walls;
 mod open;
+mod preparation_file;
 mod private_file;
 mod queries;
 mod reading_limits;
@@ -38,9 +40,13 @@ pub use classifier_file::{classifier_file, read_classifier};
 pub use engine::{Engine, ExportError};
 pub use export::{ExportFile, FileBytes, PassingFile, write_files};
 pub use file_names::{file_name, file_names};
+pub use image_walls::{
+    ImageWallSettings, ImageWalls, image_walls, prepared_subject, series_facts,
+};
 pub use job::{Ending, Job, JobError, JobWatch, Wake};
 pub use mask_walls::{MaskWallSettings, MaskWalls, mask_walls};
 pub use open::{OpenSource, open};
+pub use preparation_file::{preparation_file, read_preparations};
 pub use private_file::make_private;
 pub use queries::*;
 pub use reading_limits::{configure_limits, reading_limits};

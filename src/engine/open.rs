@@ -1,8 +1,8 @@
-//! Where a study comes from: files and folders of meshes or masks, or the cohort that ships inside.
+//! Where a study comes from: files and folders of meshes, masks or images, or the cohort that ships inside.
 
 use std::path::{Path, PathBuf};
 
-use crate::engine::mask_walls::{MaskWallSettings, mask_walls};
+use crate::engine::image_walls::{ImageWallSettings, image_walls};
 use crate::io::{Limits, OpenError, OpenListener, Opened, looks_like_image, open_paths_in_stages};
 use crate::progress::{Progress, Stopped};
 use crate::study::built_in::{self, BuiltInParams};
@@ -61,35 +61,29 @@ pub fn open(source: &OpenSource, limits: &Limits, progress: &Progress) -> Result
     open_in_stages(source, limits, progress, &())
 }
 
-/// Walls from the masks below paths without a mesh, by the labels of ACDC; where there are none, what was `opened`, with what
-/// is wrong with masks.
+/// Walls from the images and masks below paths without a mesh; where there are none, what was `opened`, with what is wrong
+/// with images.
 fn walls_or(
     mut opened: Opened,
     paths: &[PathBuf],
     limits: &Limits,
     progress: &Progress,
 ) -> Result<Opened, Stopped> {
-    let may_hold_masks = |path: &&PathBuf| path.is_dir() || looks_like_image(path);
-    let paths: Vec<PathBuf> = paths.iter().filter(may_hold_masks).cloned().collect();
-    if paths.is_empty() {
-        return Ok(opened);
+    let made = image_walls(paths, &ImageWallSettings::default(), limits, progress)?;
+    if !made.opened.study.subjects.is_empty() || !made.opened.images.is_empty() {
+        return Ok(made.opened);
     }
-    let made = mask_walls(&paths, &MaskWallSettings::default(), limits, progress)?;
-    if made.study.subjects.is_empty() {
-        // That there are no masks is no news to somebody who opens meshes.
-        let of_masks = (made.errors.into_iter()).filter(|error| error.subject.is_some());
-        let of_masks: Vec<OpenError> = of_masks.collect();
-        // One file has one error: that of the reader that is meant for it.
-        let about = |path: &Path| of_masks.iter().any(|error| error.path == path);
-        opened.errors.retain(|error| !about(&error.path));
-        opened.errors.extend(of_masks);
-        return Ok(opened);
-    }
-    Ok(Opened {
-        study: made.study,
-        errors: made.errors,
-        ..Opened::default()
-    })
+    // That there are no images is no news to somebody who opens meshes.
+    let is_of_images = |error: &OpenError| {
+        error.subject.is_some() || (looks_like_image(&error.path) && !error.path.is_dir())
+    };
+    let errors = made.opened.errors.into_iter();
+    let of_images: Vec<OpenError> = errors.filter(is_of_images).collect();
+    // One file has one error: that of the reader that is meant for it.
+    let about = |path: &Path| of_images.iter().any(|error| error.path == path);
+    opened.errors.retain(|error| !about(&error.path));
+    opened.errors.extend(of_images);
+    Ok(opened)
 }
 
 /// The same, with subjects that are read from files handed to `listener` one by one.

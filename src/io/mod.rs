@@ -52,14 +52,15 @@ pub use limits::{
     Limits, MAX_XML_ATTRIBUTES, MAX_XML_ATTRIBUTES_IN_ALL, MAX_XML_NAMESPACES, MAX_XML_NODES,
 };
 pub use mask_study::{
-    MaskFacts, MaskFiles, MaskKind, MaskSeries, MaskStudyError, find_mask_studies, read_masks,
+    MaskFacts, MaskFiles, MaskKind, MaskSeries, MaskStudyError, NamedLabels, find_mask_studies,
+    is_mask_name, read_masks, united_notices,
 };
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
 pub use open::{
-    FoundImage, ImageReport, OpenListener, each_image, looks_like_image, looks_openable,
-    open_paths, open_paths_in_stages, read_head, read_image_file, read_images, read_mesh_file,
-    renew_cohort_notices,
+    FoundImage, ImageReport, OpenListener, PassedOver, each_image, looks_like_image,
+    looks_openable, open_paths, open_paths_in_stages, read_head, read_image_file, read_images,
+    read_images_beside, read_mesh_file, renew_cohort_notices,
 };
 pub use opened::{OpenError, Opened, OpenedImages};
 pub use ply::write_ply;

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 use std::sync::OnceLock;
 use std::time::Instant;
 
-use cardiomorph::analysis::walls_from_masks::{MaskLabels, WallParams};
 use cardiomorph::engine::{MaskWallSettings, MaskWalls, mask_walls};
 use cardiomorph::io::{Limits, MeshFormat, open_paths, write_study};
 use cardiomorph::mesh::{Point3, crossing_faces};
@@ -15,11 +14,8 @@ use cardiomorph::units::LengthUnit;
 use crate::shared::shared_data;
 
 fn made(place: &str) -> MaskWalls {
-    let settings = MaskWallSettings {
-        labels: MaskLabels::default(),
-        walls: WallParams::default().check().unwrap(),
-    };
     let paths = [shared_data(place)];
+    let settings = MaskWallSettings::default();
     mask_walls(&paths, &settings, &Limits::default(), &Progress::default()).unwrap()
 }
 

@@ -2,7 +2,7 @@
 
 use crate::mesh::MeshError;
 use crate::progress::Stopped;
-use crate::study::SequenceError;
+use crate::study::{SequenceError, SurfaceKind};
 
 /// Why a surface gives no target.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -66,6 +66,9 @@ pub enum TargetError {
         /// Limit of foldovers.
         max_foldovers: usize,
     },
+    /// A wall in one surface whose sides are not known.
+    #[error("{0}")]
+    Wall(String),
     /// Faces that are no mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -80,6 +83,21 @@ pub enum CorrespondenceError {
     /// Nothing to do.
     #[error("the subject has no surface that the template has")]
     NoSurface,
+    /// Nothing to lay onto others.
+    #[error("the template has neither an endocardium nor an epicardium")]
+    NoTemplate,
+    /// Landmarks of another subject.
+    #[error("the landmarks are those of {given} frames and {given_surfaces} surfaces, but there are {frames} and {surfaces}")]
+    LandmarkCounts {
+        /// Frames of the landmarks.
+        given: usize,
+        /// Surfaces of the landmarks.
+        given_surfaces: usize,
+        /// Frames of the subject.
+        frames: usize,
+        /// Surfaces of the subject that the template has.
+        surfaces: usize,
+    },
     /// Two surfaces with different numbers of frames.
     #[error("{kind} has {frames} frames, but {first_kind} has {first_frames}")]
     FrameCounts {
@@ -126,4 +144,18 @@ pub enum CorrespondenceError {
     /// It was asked to stop; no error to show.
     #[error(transparent)]
     Stopped(#[from] Stopped),
+}
+
+impl CorrespondenceError {
+    /// A reason with its surface and frame; being asked to stop is none.
+    pub(super) fn at(kind: SurfaceKind, frame: usize, reason: TargetError) -> Self {
+        match reason {
+            TargetError::Stopped(stopped) => Self::Stopped(stopped),
+            reason => Self::Frame {
+                surface: kind.name(),
+                frame,
+                reason,
+            },
+        }
+    }
 }

@@ -131,6 +131,11 @@ impl TargetSurface {
         self.volume
     }
 
+    /// Whether it has an outside.
+    pub fn is_oriented(&self) -> bool {
+        self.normals.is_some()
+    }
+
     pub fn nearest(&self, point: Point3) -> Nearest {
         self.tree.nearest(point)
     }

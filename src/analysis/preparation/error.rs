@@ -2,7 +2,9 @@
 
 use super::{Asked, SettingsError};
 use crate::analysis::surface_extraction::SurfaceError;
+use crate::analysis::walls_from_contours::ContourError;
 use crate::analysis::walls_from_masks::{MaskError, WallError};
+use crate::analysis::walls_from_spect::SpectError;
 use crate::image::{BlurError, ImageError, VolumeEditError};
 use crate::mesh::MeshError;
 use crate::progress::Stopped;
@@ -37,6 +39,12 @@ pub enum PreparationError {
     /// The values are not the labels of a ventricle.
     #[error(transparent)]
     Masks(MaskError),
+    /// The counts of SPECT show no ventricle.
+    #[error(transparent)]
+    Spect(SpectError),
+    /// The outlines give no tissues.
+    #[error(transparent)]
+    Contours(#[from] ContourError),
     /// The tissues give no walls.
     #[error(transparent)]
     Walls(WallError),
@@ -79,6 +87,7 @@ macro_rules! stoppable {
 stoppable! {
     WallError => Walls, WallError::Stopped;
     SurfaceError => Surface, SurfaceError::Stopped;
+    SpectError => Spect, SpectError::Stopped;
     BlurError => Blur, BlurError::Stopped;
 }
 

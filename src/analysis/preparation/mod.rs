@@ -17,6 +17,8 @@ mod segmented;
 mod settings;
 mod settings_file;
 mod stated_image;
+#[cfg(test)]
+mod tests;
 mod tissue_edits;
 mod walls;
 
@@ -27,7 +29,7 @@ pub use overrides::Overrides;
 pub use preview::{BrightSurface, preview};
 pub use proposed::{Proposal, proposed};
 pub use road::Road;
-pub use segmented::{Segmented, segmented};
+pub use segmented::{Segmented, segmented, segmented_masks};
 pub use settings::{BaseEnd, Preparation, SettingsError, TypedTimes};
 pub use stated_image::stated_image;
 pub use walls::{Prepared, prepared, walls};

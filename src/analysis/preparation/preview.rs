@@ -6,9 +6,6 @@ use crate::image::{Border, Image, Mask, VolumeFrame, edited, gaussian_blur};
 use crate::mesh::TriMesh;
 use crate::progress::Progress;
 
-/// The threshold where none is set, as that of SPECT.
-const THRESHOLD: f64 = 0.5;
-
 /// One blurred volume, of which surfaces at many thresholds and after many edits are wanted: the blur is most of the work.
 #[derive(Clone, Debug)]
 pub struct BrightSurface {
@@ -49,9 +46,8 @@ impl BrightSurface {
     /// If no value lies above 0.
     pub fn threshold(&self, preparation: &Preparation) -> Result<f64, PreparationError> {
         let greatest = f64::from(self.greatest);
-        let share = preparation.threshold;
         match greatest > 0.0 {
-            true => Ok(greatest * share.unwrap_or(THRESHOLD)),
+            true => Ok(greatest * preparation.spect_params().threshold),
             false => Err(PreparationError::Dark(self.instant)),
         }
     }

@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use super::tissue_edits::edited_tissues;
-use super::{Asked, Preparation, PreparationError, Road, stated_image};
+use super::{Asked, Preparation, PreparationError, Road, SettingsError, stated_image};
+use crate::analysis::walls_from_contours::{masks_of_contours, with_epicardium};
 use crate::analysis::walls_from_masks::{MaskLabels, Masks};
+use crate::analysis::walls_from_spect::segment_spect;
 use crate::image::{Contour, Image, MarkedPoints};
 use crate::progress::Progress;
 use crate::study::Notice;
@@ -37,10 +39,31 @@ pub fn segmented(
     progress.check()?;
     match preparation.road {
         Road::Masks(labels) => from_labels(&image, &labels, preparation),
-        Road::Spect | Road::Cine | Road::Contours => {
-            Err(PreparationError::Asked(vec![Asked::Labels]))
+        Road::Contours if preparation.contours.is_empty() => {
+            Err(PreparationError::Asked(vec![Asked::Outlines]))
         }
+        Road::Contours => from_contours(&image, Arc::clone(&preparation.contours), preparation),
+        Road::Spect => from_counts(&image, preparation, progress),
+        Road::Cine => Err(PreparationError::Asked(vec![Asked::Blood])),
     }
+}
+
+/// The tissues of masks after the edits of the settings, at the instants at which anything is drawn.
+///
+/// # Errors
+/// If an edit says no place, or nothing of the ventricle is drawn at any instant.
+pub fn segmented_masks(
+    masks: Masks,
+    preparation: &Preparation,
+) -> Result<Segmented, PreparationError> {
+    let (masks, instants) = edited_tissues(masks, &preparation.edits)?.drawn()?;
+    Ok(Segmented {
+        masks,
+        instants,
+        points: preparation.points,
+        contours: Arc::default(),
+        notices: Vec::new(),
+    })
 }
 
 fn from_labels(
@@ -48,20 +71,56 @@ fn from_labels(
     labels: &MaskLabels,
     preparation: &Preparation,
 ) -> Result<Segmented, PreparationError> {
-    let all = image.volumes().len();
-    let masks = edited_tissues(Masks::from_labels(image, labels)?, &preparation.edits)?;
-    let (masks, instants) = masks.drawn()?;
-    let left_out = (instants.len() < all).then(|| {
-        Notice::info(format!(
-            "{} of {all} volumes have a mask: the others were left out",
-            instants.len()
-        ))
-    });
+    let mut found = segmented_masks(Masks::from_labels(image, labels)?, preparation)?;
+    found.notices.extend(left_out(&found, image, "have a mask"));
+    Ok(found)
+}
+
+/// The wall where counts are greatest.
+fn from_counts(
+    image: &Image,
+    preparation: &Preparation,
+    progress: &Progress,
+) -> Result<Segmented, PreparationError> {
+    let params = preparation
+        .spect_params()
+        .check()
+        .map_err(SettingsError::from)?;
+    let (points, edits) = (&preparation.points, &preparation.edits);
+    let found = segment_spect(image, points, edits, &params, progress)?;
     Ok(Segmented {
-        masks,
-        instants,
-        points: preparation.points,
+        instants: (0..found.masks.instants().len()).collect(),
+        masks: found.masks,
+        points: found.points,
         contours: Arc::default(),
-        notices: left_out.into_iter().collect(),
+        notices: found.notices,
+    })
+}
+
+/// Outlines as they were drawn, and of the epicardium those that follow where it was drawn at few instants.
+fn from_contours(
+    image: &Image,
+    contours: Arc<Vec<Contour>>,
+    preparation: &Preparation,
+) -> Result<Segmented, PreparationError> {
+    let (frame, instants) = (image.frame(), image.volumes().len());
+    let whole = with_epicardium(frame, instants, &contours)?;
+    let masks = masks_of_contours(frame, instants, &whole.contours)?;
+    let mut found = segmented_masks(masks, preparation)?;
+    found.contours = Arc::new(whole.contours);
+    found.notices.extend(whole.notices);
+    found
+        .notices
+        .extend(left_out(&found, image, "have outlines"));
+    Ok(found)
+}
+
+/// That volumes have no frame.
+fn left_out(found: &Segmented, image: &Image, have: &str) -> Option<Notice> {
+    let (kept, all) = (found.instants.len(), image.volumes().len());
+    (kept < all).then(|| {
+        Notice::info(format!(
+            "{kept} of {all} volumes {have}: the others were left out"
+        ))
     })
 }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::Road;
 use super::settings_file::SettingsFile;
 use crate::analysis::walls_from_masks::{WallParams, WallParamsError};
+use crate::analysis::walls_from_spect::{SpectParams, SpectParamsError};
 use crate::image::{Contour, MarkedPoints, VolumeEdit, VolumeEditError};
 use crate::mesh::Point3;
 
@@ -71,23 +72,22 @@ pub enum TypedTimes {
     Cycle(f64),
 }
 
-/// Standard deviation of the blur by default, in millimetres: counts of single voxels are noisy, and the wall of a heart in
-/// SPECT is some 20 mm wide.
-const BLUR_MM: f64 = 3.0;
-/// Greatest blur: wider than a heart, nothing is left to be seen.
-const MAX_BLUR_MM: f64 = 50.0;
+/// Greatest blur: beyond, the walls on both sides of the cavity flow together.
+const MAX_BLUR_MM: f64 = 20.0;
 
 /// A setting that cannot be.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SettingsError {
     /// Distances between voxels.
-    #[error("the distance {0} mm between voxels is not a number above 0 and up to {MAX_SPACING_MM}")]
+    #[error(
+        "the distance {0} mm between voxels is not a number above 0 and up to {MAX_SPACING_MM}"
+    )]
     Spacing(f64),
     /// Times of volumes.
     #[error("times of volumes must be increasing numbers of milliseconds")]
     Times,
     /// The length of a beat.
-    #[error("a beat of {0} ms; {} to {} are possible", CYCLE_MS[0], CYCLE_MS[1])]
+    #[error("a beat of {0} ms; {least} to {most} are possible", least = CYCLE_MS[0], most = CYCLE_MS[1])]
     Cycle(f64),
     /// The blur.
     #[error("a blur of {0} mm; 0 to {MAX_BLUR_MM} are possible")]
@@ -104,6 +104,9 @@ pub enum SettingsError {
     /// A number of vertices that walls cannot have.
     #[error(transparent)]
     Walls(#[from] WallParamsError),
+    /// A setting of SPECT.
+    #[error(transparent)]
+    Spect(#[from] SpectParamsError),
 }
 
 impl Preparation {
@@ -114,7 +117,7 @@ impl Preparation {
             road,
             spacing_mm: None,
             times: None,
-            blur_mm: BLUR_MM,
+            blur_mm: SpectParams::default().blur_mm,
             threshold: None,
             edits: Vec::new(),
             points: MarkedPoints::default(),
@@ -146,7 +149,10 @@ impl Preparation {
         if !(0.0..=MAX_BLUR_MM).contains(&self.blur_mm) {
             return Err(SettingsError::Blur(self.blur_mm));
         }
-        if let Some(wrong) = self.threshold.filter(|share| !(*share > 0.0 && *share < 1.0)) {
+        if let Some(wrong) = self
+            .threshold
+            .filter(|share| !(*share > 0.0 && *share < 1.0))
+        {
             return Err(SettingsError::Threshold(wrong));
         }
         for (number, edit) in (1..).zip(&self.edits) {
@@ -162,6 +168,7 @@ impl Preparation {
             return Err(SettingsError::Geometry("an outline"));
         }
         self.wall_params().check()?;
+        self.spect_params().check()?;
         Ok(())
     }
 
@@ -177,6 +184,16 @@ impl Preparation {
                     false => Err(SettingsError::Times),
                 }
             }
+        }
+    }
+
+    /// The settings of SPECT among them.
+    pub(super) fn spect_params(&self) -> SpectParams {
+        let usual = SpectParams::default();
+        SpectParams {
+            blur_mm: self.blur_mm,
+            threshold: self.threshold.unwrap_or(usual.threshold),
+            ..usual
         }
     }
 

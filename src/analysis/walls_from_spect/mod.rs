@@ -3,9 +3,18 @@
 //! Begin with [`segment_spect`]. The wall is followed by its middle, where counts are greatest, as in Germano et al. (1995, J Nucl
 //! Med 36(11), 2138–2147) and after blurring and threshold as in section 3.6.1 of the text.
 
+mod axis;
+mod base;
+mod borders;
 mod error;
+mod fill;
+mod find;
+mod middle;
 mod params;
+mod place;
+mod rays;
 mod segment;
+mod unturned;
 #[cfg(test)]
 mod tests;
 

@@ -70,7 +70,7 @@ pub enum SpectParamsError {
     #[error("the blur must be 0 to {MAX_BLUR_MM} mm, but is {0} mm")]
     Blur(f64),
     /// The voxels of the masks.
-    #[error("the voxels of the masks must be {} to {} mm, but are {0} mm", SPACING_MM[0], SPACING_MM[1])]
+    #[error("the voxels of the masks must be {low} to {high} mm, but are {0} mm", low = SPACING_MM[0], high = SPACING_MM[1])]
     Spacing(f64),
 }
 

@@ -145,7 +145,7 @@ fn corners(
         Some(item) => number(item, lines)?,
         None => 1.0,
     };
-    if !(parts >= 1.0) {
+    if parts < 1.0 {
         return Err(wrong(outline, lines, "SubpixelResolution is less than 1"));
     }
     let mut corners = Vec::new();

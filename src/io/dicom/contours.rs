@@ -24,12 +24,14 @@ pub struct ContouredStructure {
 }
 
 /// Words of names, in order of preference, with what they mean.
-const PARTS: [(&str, &str); 16] = [
+const PARTS: [(&str, &str); 18] = [
     ("endo", "endocardium"),
     ("epi", "epicardium"),
     ("myocard", "myocardium"),
     ("left ventricle", "left ventricle"),
     ("right ventricle", "right ventricle"),
+    ("ventricle left", "left ventricle"),
+    ("ventricle right", "right ventricle"),
     ("left atrium", "left atrium"),
     ("right atrium", "right atrium"),
     ("pericard", "pericardium"),
@@ -54,7 +56,7 @@ pub(super) fn structures(
     let named: Vec<(u32, Option<&'static str>)> = (set.items(STRUCTURES).iter())
         .filter_map(|item| {
             let number = item.count(STRUCTURE_NUMBER)? as u32;
-            Some((number, item.text(STRUCTURE_NAME).and_then(part)))
+            Some((number, item.text(STRUCTURE_NAME).and_then(part_of)))
         })
         .collect();
     let mut left = most;
@@ -127,7 +129,7 @@ fn polygon(
 }
 
 /// What a name means in words of anatomy. Short words count only as whole ones.
-fn part(name: &str) -> Option<&'static str> {
+pub(super) fn part_of(name: &str) -> Option<&'static str> {
     let name = name.to_ascii_lowercase();
     let spaced = name.replace(['_', '-', '.', '^'], " ");
     let whole = |word: &str| spaced.split_whitespace().any(|own| own == word);

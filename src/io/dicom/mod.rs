@@ -25,16 +25,18 @@ mod read;
 mod reading;
 mod rle;
 mod segmentation;
+mod segments;
 mod series;
 mod sources;
 mod sources_of_slices;
 mod stack;
 mod tag;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 pub use contours::ContouredStructure;
 pub(super) use file::looks_like_dicom;
 pub use read::{read_dicom, read_dicom_bytes};
 pub use reading::{DicomReading, LeftOut};
+pub(super) use segments::{is_segmentation_head, segment_parts};
 pub use sources_of_slices::SliceSource;

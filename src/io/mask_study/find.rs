@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::name::{MaskName, MaskRole, mask_name, stem};
+use super::segmentation::is_segmentation;
 use crate::io::open::unique_ids;
 use crate::io::{Limits, OpenError};
 use crate::progress::{Progress, Stopped};
@@ -122,7 +123,8 @@ impl Walk<'_> {
                 frame: None,
             })
         };
-        match mask_name(&name).or_else(plain) {
+        let segmentation = || is_segmentation(path).then(|| labels_in_dicom(&name));
+        match mask_name(&name).or_else(plain).or_else(segmentation) {
             Some(found) => self.add(path, found),
             None => self.fail(
                 path,
@@ -175,6 +177,8 @@ impl Walk<'_> {
                 self.folder(&path, depth + 1)?;
             } else if let Some(found) = mask_name(&name) {
                 self.add(&path, found);
+            } else if may_be_dicom(&name) && is_segmentation(&path) {
+                self.add(&path, labels_in_dicom(&name));
             }
         }
         Ok(())
@@ -235,6 +239,26 @@ impl Walk<'_> {
         distinct_ids(&mut found);
         (found, self.errors)
     }
+}
+
+/// Whether a file is looked into for a DICOM segmentation.
+fn may_be_dicom(name: &str) -> bool {
+    let ending = name
+        .rsplit_once('.')
+        .map(|(_, ending)| ending.to_ascii_lowercase());
+    ending.is_none_or(|ending| ["dcm", "seg"].contains(&ending.as_str()))
+}
+
+/// What the name of a DICOM segmentation says: the subject, and the frame where a word for one is in it.
+fn labels_in_dicom(name: &str) -> MaskName {
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    // As the name that a file of labels of another format would have.
+    let said = mask_name(&format!("{stem}.nii")).or_else(|| mask_name(&format!("{stem}_seg.nii")));
+    said.unwrap_or_else(|| MaskName {
+        subject: stem.to_owned(),
+        role: MaskRole::Labels,
+        frame: None,
+    })
 }
 
 /// Files of labels in the order of their frames, and the pair.

@@ -5,10 +5,14 @@ mod find;
 mod info;
 mod name;
 mod read;
+mod segmentation;
 #[cfg(test)]
 mod tests;
+mod united;
 
 pub use find::{MaskFiles, MaskKind, find_mask_studies};
 pub use info::MaskFacts;
-pub(in crate::io) use name::is_mask_name;
+pub use name::is_mask_name;
+pub use segmentation::NamedLabels;
+pub use united::united_notices;
 pub use read::{MaskSeries, MaskStudyError, read_masks};

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::find::{MaskFiles, MaskKind};
 use super::info::MaskFacts;
+use super::segmentation::{NamedLabels, is_segmentation, read_segmentation};
 use crate::io::{ImageSeries, Limits, OpenError, read_image_file};
 use crate::progress::{Progress, Stopped};
 
@@ -18,6 +19,8 @@ pub struct MaskSeries {
     pub pair: bool,
     /// For each file of labels, the number of its frame, where its name has one.
     pub frame_numbers: Vec<Option<u32>>,
+    /// Which labels stand for which tissue, where all files say the same in words (DICOM segmentations).
+    pub labels: Option<NamedLabels>,
     /// What is said beside the masks.
     pub facts: MaskFacts,
 }
@@ -77,9 +80,14 @@ pub fn read_masks(
     }
     let mut images = Vec::with_capacity(paths.len());
     let mut voxels = 0_u64;
+    let mut labels = Vec::new();
     for path in paths {
         progress.check()?;
-        let series = read_image_file(path, limits)?;
+        let (series, named) = match is_segmentation(path) {
+            true => read_segmentation(path, limits, &progress.within())?,
+            false => (read_image_file(path, limits)?, None),
+        };
+        labels.push(named);
         let of_one = series.image.frame().voxel_count() as u64;
         voxels = voxels.saturating_add(of_one.saturating_mul(series.image.volumes().len() as u64));
         if voxels > limits.voxels_in_all {
@@ -93,6 +101,8 @@ pub fn read_masks(
         images,
         pair,
         frame_numbers,
+        labels: (labels.first().copied().flatten())
+            .filter(|_| labels.windows(2).all(|w| w[0] == w[1])),
         facts: facts(files),
     })
 }

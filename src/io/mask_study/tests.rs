@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::{MaskFiles, MaskKind, MaskStudyError, find_mask_studies, read_masks};
+use super::{MaskFiles, MaskKind, MaskStudyError, NamedLabels, find_mask_studies, read_masks};
 use crate::io::{Limits, OpenError};
 use crate::progress::{Progress, Stopped};
 
@@ -186,6 +186,33 @@ fn masks_are_read_with_what_is_said_beside_them() {
         read(Limits::default()),
         Err(MaskStudyError::File(_))
     ));
+}
+
+#[test]
+fn labels_of_dicom_segmentations_name_themselves() {
+    let cohort = folder(&[]);
+    let bytes = crate::io::dicom::tests::named_segmentation();
+    for name in ["p_frame1_seg.dcm", "p_frame9_seg.dcm", "IM0001"] {
+        fs::write(cohort.path().join(name), &bytes).unwrap();
+    }
+    fs::write(cohort.path().join("other.dcm"), "no DICOM").unwrap();
+    let (subjects, errors) = found(cohort.path());
+    assert_eq!((ids(&subjects), errors), (vec!["IM0001", "p"], Vec::new()));
+    let read = |files: &MaskFiles| read_masks(files, &Limits::default(), &Progress::default());
+    let series = read(&subjects[1]).unwrap();
+    assert_eq!(series.frame_numbers, [Some(1), Some(9)]);
+    let expected = NamedLabels {
+        cavity: 4,
+        wall: 2,
+        right: None,
+    };
+    assert_eq!(series.labels, Some(expected));
+    let values = &series.images[0].image.volumes()[0];
+    assert_eq!(values.iter().filter(|&&value| value == 4.0).count(), 7);
+    fs::write(cohort.path().join("IM0001"), &bytes[..bytes.len() / 2]).unwrap();
+    assert!(matches!(read(&subjects[0]), Err(MaskStudyError::File(_))));
+    let one = found(&cohort.path().join("IM0001"));
+    assert_eq!(ids(&one.0), ["IM0001"]);
 }
 
 #[test]

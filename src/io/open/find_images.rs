@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
+use super::find_sequences::identity;
 use super::folders::{Folders, What};
 use super::read_file::{name_of, read_head};
 use crate::io::dicom::looks_like_dicom;
@@ -26,16 +27,49 @@ pub(super) struct ImageFiles {
     pub cut_short: bool,
 }
 
-/// Looks through paths and the folders among them. Hidden files are passed over.
+/// What is passed over although it may be an image, because something else is made of it.
+#[derive(Clone, Debug, Default)]
+pub struct PassedOver {
+    files: HashSet<PathBuf>,
+    folders: HashSet<PathBuf>,
+}
+
+impl PassedOver {
+    /// Passes over a file.
+    pub fn add_file(&mut self, path: &Path) {
+        self.files.insert(identity(path));
+    }
+
+    /// Passes over the files of a folder; folders within it are looked through.
+    pub fn add_files_of(&mut self, folder: &Path) {
+        self.folders.insert(identity(folder));
+    }
+
+    fn is_empty(&self) -> bool {
+        self.files.is_empty() && self.folders.is_empty()
+    }
+
+    fn holds(&self, path: &Path) -> bool {
+        let real = identity(path);
+        let folder = real
+            .parent()
+            .is_some_and(|folder| self.folders.contains(folder));
+        folder || self.files.contains(&real)
+    }
+}
+
+/// Looks through paths and the folders among them. Hidden files are passed over, and so is what `passed_over` names.
 ///
 /// # Errors
 /// Only [`Stopped`].
 pub(super) fn find_images(
     paths: &[PathBuf],
+    passed_over: &PassedOver,
     limits: &Limits,
     progress: &Progress,
 ) -> Result<ImageFiles, Stopped> {
     let mut walk = Walk {
+        passed_over,
         folders: Folders::new(paths, limits.follow_links),
         limits,
         progress,
@@ -46,7 +80,7 @@ pub(super) fn find_images(
         if path.is_dir() {
             let before = walk.found.count();
             walk.folder(path, 0)?;
-            if walk.found.count() == before {
+            if walk.found.count() == before && passed_over.is_empty() {
                 walk.fail(path, "no images were found here");
             }
         } else {
@@ -81,6 +115,7 @@ fn role(head: &[u8]) -> Role {
 }
 
 struct Walk<'a> {
+    passed_over: &'a PassedOver,
     folders: Folders,
     limits: &'a Limits,
     progress: &'a Progress,
@@ -100,14 +135,13 @@ impl Walk<'_> {
 
     /// Whether this is the first way to it.
     fn is_new(&mut self, path: &Path) -> bool {
-        let real = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        self.seen.insert(real)
+        self.seen.insert(identity(path))
     }
 
     /// A file that was named itself: what it holds must be an image, or the values of a pair.
     fn asked_for(&mut self, path: &Path) -> Result<(), Stopped> {
         self.progress.check()?;
-        if !self.is_new(path) {
+        if self.passed_over.holds(path) || !self.is_new(path) {
             return Ok(());
         }
         let head = match read_head(path, PACKED_HEAD) {
@@ -175,7 +209,7 @@ impl Walk<'_> {
             self.found.cut_short = true;
             return Ok(());
         }
-        if !self.is_new(path) {
+        if self.passed_over.holds(path) || !self.is_new(path) {
             return Ok(());
         }
         match read_head(path, PACKED_HEAD) {

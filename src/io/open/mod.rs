@@ -56,7 +56,10 @@ use folder_contents::folder_name;
 use group_files::stem;
 use labels::unite_labels;
 pub use read_file::{read_head, read_mesh_file};
-pub use read_images::{FoundImage, ImageReport, each_image, read_image_file, read_images};
+pub use find_images::PassedOver;
+pub use read_images::{
+    FoundImage, ImageReport, each_image, read_image_file, read_images, read_images_beside,
+};
 pub use stages::OpenListener;
 use subject_ids::make_ids_unique;
 pub(in crate::io) use subject_ids::unique_ids;

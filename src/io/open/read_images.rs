@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::find_images::{ImageFiles, find_images};
+use super::find_images::{ImageFiles, PassedOver, find_images};
 use super::read_file::{name_of, read_bytes, unless_it_panics};
 use crate::io::dicom::{ContouredStructure, read_dicom};
 use crate::io::image_file::ImageSeries;
@@ -21,6 +21,8 @@ use crate::study::checks::counted;
 pub struct FoundImage {
     /// The file that it was read from; `None` where many files make a series.
     pub path: Option<PathBuf>,
+    /// The study that it belongs to, counted from 0, where files say such a thing: series of one study are of one subject.
+    pub study: Option<usize>,
     /// What it holds.
     pub series: ImageSeries,
 }
@@ -49,9 +51,22 @@ pub fn read_images(
     limits: &Limits,
     progress: &Progress,
 ) -> Result<(Vec<FoundImage>, ImageReport), Stopped> {
+    read_images_beside(paths, &PassedOver::default(), limits, progress)
+}
+
+/// As [`read_images`], without what something else is made of.
+///
+/// # Errors
+/// Only [`Stopped`].
+pub fn read_images_beside(
+    paths: &[PathBuf],
+    passed_over: &PassedOver,
+    limits: &Limits,
+    progress: &Progress,
+) -> Result<(Vec<FoundImage>, ImageReport), Stopped> {
     let (mut found, mut held) = (Vec::new(), 0_u64);
     let mut beyond = Vec::new();
-    let mut report = each_image(paths, limits, progress, &mut |image| {
+    let mut report = each_image_beside(paths, passed_over, limits, progress, &mut |image| {
         held = held.saturating_add(voxels(&image.series));
         if held <= limits.voxels_in_all {
             found.push(image);
@@ -84,8 +99,18 @@ pub fn each_image(
     progress: &Progress,
     visit: &mut dyn FnMut(FoundImage),
 ) -> Result<ImageReport, Stopped> {
+    each_image_beside(paths, &PassedOver::default(), limits, progress, visit)
+}
+
+fn each_image_beside(
+    paths: &[PathBuf],
+    passed_over: &PassedOver,
+    limits: &Limits,
+    progress: &Progress,
+    visit: &mut dyn FnMut(FoundImage),
+) -> Result<ImageReport, Stopped> {
     progress.begin_phase("looking for images", 0.0, 0.1);
-    let files = find_images(paths, limits, progress)?;
+    let files = find_images(paths, passed_over, limits, progress)?;
     let mut report = ImageReport {
         errors: files.errors.clone(),
         notices: Vec::new(),
@@ -106,6 +131,7 @@ pub fn each_image(
             match outcome {
                 Ok(series) => visit(FoundImage {
                     path: Some(path.clone()),
+                    study: None,
                     series,
                 }),
                 Err(reason) => report.errors.push(OpenError {
@@ -237,9 +263,12 @@ fn dicom_series(
     let nothing = reading.series.is_empty() && reading.contours.is_empty();
     report.notices.extend(reading.contours.iter().map(contours));
     let path = (files.len() == 1).then(|| first.clone());
-    for series in reading.series {
+    let studies = reading.studies.iter().copied().map(Some);
+    let studies = studies.chain(std::iter::repeat(None));
+    for (series, study) in reading.series.into_iter().zip(studies) {
         visit(FoundImage {
             path: path.clone(),
+            study,
             series,
         });
     }

@@ -3,6 +3,8 @@
 use super::writer::{Made, image, read, said};
 use crate::io::dicom::reading::DicomReading;
 use crate::io::dicom::tag::*;
+use crate::io::dicom::{is_segmentation_head, segment_parts};
+use crate::io::limits::Limits;
 
 fn firsts(reading: &DicomReading) -> Vec<Vec<f32>> {
     let volumes = reading.series[0].image.volumes().iter();
@@ -164,6 +166,40 @@ fn segmentation(frames: &[(u16, f64, [u8; 9])]) -> Made {
         .items(SHARED_GROUPS, vec![shared])
         .items(PER_FRAME_GROUPS, groups.collect())
         .bytes(PIXEL_DATA, "OB", stream)
+}
+
+/// The file of a segmentation of two slices whose segments 4 and 2 are cavity and wall, by their names and codes.
+pub(in crate::io) fn named_segmentation() -> Vec<u8> {
+    let segment = |number: u16, label: &str, meaning: &str| {
+        Made::default()
+            .shorts(SEGMENT_NUMBER, &[number])
+            .text(SEGMENT_LABEL, "LO", label)
+            .items(
+                SEGMENT_TYPE,
+                vec![Made::default().text(CODE_MEANING, "LO", meaning)],
+            )
+    };
+    let named = vec![
+        segment(2, "Segment_2", "Myocardium"),
+        segment(4, "LV cavity", "Structure"),
+        segment(5, "SEEDED^NAME", "Thing"),
+    ];
+    segmentation(&[(2, 0.0, CORNER), (4, 0.0, MIDDLE), (2, 4.0, MIDDLE)])
+        .items(SEGMENTS, named)
+        .file()
+}
+
+#[test]
+fn segments_are_known_by_words_of_anatomy() {
+    let parts = segment_parts(named_segmentation(), &Limits::default()).unwrap();
+    let expected = [
+        (2, Some("myocardium")),
+        (4, Some("left ventricle")),
+        (5, None),
+    ];
+    assert_eq!(parts, expected);
+    assert!(is_segmentation_head(&named_segmentation()));
+    assert!(!is_segmentation_head(&image(0.0, 0).file()));
 }
 
 const CORNER: [u8; 9] = [1, 0, 0, 0, 0, 0, 0, 0, 1];

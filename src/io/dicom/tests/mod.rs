@@ -9,3 +9,5 @@ mod times;
 mod words_of_patients;
 mod writer;
 mod zips;
+
+pub(in crate::io) use enhanced::named_segmentation;
