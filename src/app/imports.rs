@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::preparation::Preparation;
 use crate::document::Document;
 use crate::document::state::State;
-use crate::engine::{ImageTissuesQuery, ImageWalls, ImageWallsQuery, SeriesRef, Store};
+use crate::engine::{ImageTissuesQuery, MadeWalls, ImageWallsQuery, SeriesRef, Store};
 use crate::panes::{Command, Pane, WindowCommand};
 use crate::study::{Revision, Study, Subject};
 use crate::ui::text::counted;
@@ -21,7 +21,7 @@ pub fn add_walls(
     moment: &Moment,
 ) {
     let document = &state.document;
-    let made: Vec<(usize, Arc<ImageWalls>)> = (images.iter())
+    let made: Vec<(usize, Arc<MadeWalls>)> = (images.iter())
         .filter_map(|(images, settings)| {
             let query = walls_query(document, *images, settings)?;
             Some((*images, store.known(document.study(), &query)?))
@@ -67,7 +67,7 @@ fn walls_query(
 
 fn with_walls(
     document: &Document,
-    made: &[(usize, Arc<ImageWalls>)],
+    made: &[(usize, Arc<MadeWalls>)],
     revision: Revision,
 ) -> Study {
     let study = document.study();

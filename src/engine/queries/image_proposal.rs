@@ -1,9 +1,9 @@
 //! What is known of a series of images, and the settings that are proposed for it.
 
-use crate::analysis::preparation::{ImageFacts, Proposal, facts, proposed};
+use crate::analysis::preparation::{ImageFacts, Proposal, proposed};
+use crate::engine::image_walls::series_facts;
 use crate::engine::queries::image_series::SeriesRef;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query, Urgency};
-use crate::io::ImageSeries;
 use crate::study::Study;
 
 /// What is known of a series, and which settings fit it.
@@ -17,15 +17,6 @@ pub struct ImageProposal {
     pub facts: ImageFacts,
     /// Settings for it, and why these.
     pub proposal: Proposal,
-}
-
-/// What is known of a series: of its values, and of what its files say.
-pub fn series_facts(series: &ImageSeries) -> ImageFacts {
-    ImageFacts {
-        spacing_known: series.spacing_known(),
-        times_known: series.times_known(),
-        ..facts(&series.image, series.modality)
-    }
 }
 
 impl Query for ImageProposalQuery {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::measures::{SubjectMeasures, measure_subject};
 use crate::analysis::preparation::{Preparation, Prepared, Segmented, segmented, walls};
-use crate::engine::queries::image_subject::subject_of_walls;
+use crate::engine::image_walls::prepared_subject;
 use crate::engine::queries::image_series::{SeriesRef, interrupted};
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::{Study, Subject};
@@ -29,7 +29,7 @@ pub struct ImageWallsQuery {
 
 /// A subject made of images.
 #[derive(Clone, Debug)]
-pub struct ImageWalls {
+pub struct MadeWalls {
     /// The subject, with its notes.
     pub subject: Arc<Subject>,
     /// Its volumes.
@@ -71,7 +71,7 @@ impl Query for ImageTissuesQuery {
 }
 
 impl Query for ImageWallsQuery {
-    type Answer = ImageWalls;
+    type Answer = MadeWalls;
     const TITLE: &'static str = "Walls from images";
 
     fn parameters(&self) -> String {
@@ -82,7 +82,7 @@ impl Query for ImageWallsQuery {
         Dependencies::nothing()
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<ImageWalls, Interrupted> {
+    fn run(&self, cx: &Context<'_>) -> Result<MadeWalls, Interrupted> {
         let settings = &self.tissues.settings;
         let part = cx.part("finding the ventricle", 0.0, TISSUES_SHARE);
         let segmented = part.get(&self.tissues)?;
@@ -95,15 +95,16 @@ impl Query for ImageWallsQuery {
             contours: Arc::clone(&segmented.contours),
             notices: segmented.notices.clone(),
         };
-        let subject = subject_of_walls(&self.id, &self.tissues.series.0, &prepared, settings);
-        Ok(ImageWalls {
+        let series = &self.tissues.series.0;
+        let subject = prepared_subject(&self.id, series, settings, prepared.clone());
+        Ok(MadeWalls {
             measures: measure_subject(&subject),
             subject: Arc::new(subject),
             prepared,
         })
     }
 
-    fn memory(made: &ImageWalls, memory: &mut Memory) {
+    fn memory(made: &MadeWalls, memory: &mut Memory) {
         let sequence = &made.subject.sequence;
         let points = sequence.vertex_count() * sequence.frame_count();
         memory.own(points * size_of::<crate::mesh::Point3>());

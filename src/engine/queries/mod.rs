@@ -9,7 +9,6 @@ mod estimated_pose;
 mod image_preview;
 mod image_proposal;
 mod image_series;
-mod image_subject;
 mod image_walls;
 mod interpolated_poses;
 mod measures;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::preparation::{Asked, Preparation, Road, asked};
 use crate::document::{Document, ImportStep};
 use crate::engine::{
-    ImagePreviewQuery, ImageProposal, ImageProposalQuery, ImageTissuesQuery, ImageWalls,
+    ImagePreviewQuery, ImageProposal, ImageProposalQuery, ImageTissuesQuery, MadeWalls,
     ImageWallsQuery, SeriesRef, Showing,
 };
 use crate::io::ImageSeries;
@@ -93,7 +93,7 @@ impl Current {
     }
 
     /// The walls, if nothing is missing. While a setting is dragged nothing new begins.
-    pub fn ask_walls(&self, cx: &PaneContext<'_>) -> Option<Showing<ImageWalls>> {
+    pub fn ask_walls(&self, cx: &PaneContext<'_>) -> Option<Showing<MadeWalls>> {
         let complete = self.needed().is_empty();
         complete.then(|| cx.ask_at_rest(&self.walls_query()))
     }

@@ -1,6 +1,6 @@
 //! How good walls of images are, in the words of a line and of a row.
 
-use crate::engine::ImageWalls;
+use crate::engine::MadeWalls;
 use crate::study::Severity;
 
 /// A mean distance of the surfaces from what they were made of that needs a look, in millimetres: a pixel of cine MR.
@@ -20,7 +20,7 @@ pub struct Fit {
 }
 
 /// How the surfaces lie on what they were made of.
-pub fn fit(made: &ImageWalls) -> Fit {
+pub fn fit(made: &MadeWalls) -> Fit {
     let fits = made.prepared.walls.fits.iter();
     fits.fold(Fit::default(), |worst, fit| Fit {
         mean_mm: worst.mean_mm.max(fit.mean_mm),
@@ -30,7 +30,7 @@ pub fn fit(made: &ImageWalls) -> Fit {
 }
 
 /// What about the walls needs a look; `None` where nothing does.
-pub fn needs_a_look(made: &ImageWalls) -> Option<String> {
+pub fn needs_a_look(made: &MadeWalls) -> Option<String> {
     let fit = fit(made);
     if fit.foldovers > 0 {
         return Some(format!("{} faces folded over", fit.foldovers));

@@ -6,7 +6,7 @@ use super::controls::{heading_ui, sentence_ui, warning_ui};
 use super::current::Current;
 use super::facts::{fit, needs_a_look};
 use crate::analysis::preparation::BaseEnd;
-use crate::engine::{ImageWalls, ImageWallsQuery, Topic};
+use crate::engine::{MadeWalls, ImageWallsQuery, Topic};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, ImportCommand};
 use crate::panes::pane_context::PaneContext;
@@ -67,7 +67,7 @@ fn base_words(end: BaseEnd) -> &'static str {
     }
 }
 
-fn made_ui(ui: &mut Ui, made: &ImageWalls) {
+fn made_ui(ui: &mut Ui, made: &MadeWalls) {
     ui.label(medium(volume_words(made)));
     let fit = fit(made);
     sentence_ui(ui, format!(
@@ -89,7 +89,7 @@ fn made_ui(ui: &mut Ui, made: &ImageWalls) {
 }
 
 /// "EDV 104 ml · ESV 66 ml · EF 36 %".
-fn volume_words(made: &ImageWalls) -> String {
+fn volume_words(made: &MadeWalls) -> String {
     let measures = &made.measures;
     let unit = made.subject.unit.volume_symbol();
     let volume = |name: &str, value: Option<f64>| value.map(|value| format!("{name} {value:.0} {unit}"));
