@@ -88,8 +88,9 @@ fn imported(cx: &PaneContext<'_>, current: &Current) -> Option<Shown> {
                 let complete = current.needed().is_empty();
                 let tissues = complete.then(|| cx.ask_at_rest(&current.tissues_query()));
                 let found = tissues.as_ref().and_then(|tissues| tissues.latest());
-                let contours = found.map_or(&current.settings.contours, |found| &found.contours);
-                Some(Shown::Contours(Arc::clone(contours)))
+                let found = found.map(|found| &found.contours);
+                let frame = document.image_frame()?;
+                Some(Shown::Contours(with_drawn(found, &current.settings.contours, &frame)))
             }
             Road::Spect | Road::Masks(_) => {
                 let query = current.preview_query(document)?;
@@ -109,6 +110,24 @@ fn imported(cx: &PaneContext<'_>, current: &Current) -> Option<Shown> {
             })
         }
     }
+}
+
+/// Outlines that were found, with those in their place that somebody drew: found ones follow only once the pointer is let go.
+fn with_drawn(
+    found: Option<&Arc<Vec<Contour>>>,
+    drawn: &Arc<Vec<Contour>>,
+    frame: &VolumeFrame,
+) -> Arc<Vec<Contour>> {
+    let Some(found) = found.filter(|_| !drawn.is_empty()) else {
+        return Arc::clone(found.unwrap_or(drawn));
+    };
+    let slice = |contour: &Contour| {
+        let first = contour.points.first().map(|point| frame.voxel(*point).z.round());
+        (contour.instant, contour.part, first.map(|slice| slice as i64))
+    };
+    let taken: Vec<_> = drawn.iter().map(slice).collect();
+    let others = found.iter().filter(|contour| !taken.contains(&slice(contour)));
+    Arc::new(others.chain(drawn.iter()).cloned().collect())
 }
 
 /// Marked points, while they are of interest.

@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use egui::{Rect, Ui, vec2};
 
+use super::contour_drag::{dragged as moved_outline, nearest, put};
 use super::grey::FoundWindow;
 use super::plane::SlicePlane;
 use super::overlays::{Shown, marks};
 use super::slice::{SliceTile, value_text};
+use super::surface::surface_ui;
 use super::texture::{SlicePicture, SliceTextures};
 use crate::document::{State, image_timing};
 use crate::io::ImageSeries;
@@ -38,8 +40,10 @@ pub fn slices_ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>)
     for (normal, rect) in [(2, first), (1, second), (0, third)] {
         slice_ui(ui, cx, (series, &over), (normal, rect), commands);
     }
-    let mut rest = ui.new_child(egui::UiBuilder::new().max_rect(rest.shrink(space::SMALL)));
-    facts_ui(&mut rest, cx, series);
+    let mut facts = ui.new_child(egui::UiBuilder::new().max_rect(rest.shrink(space::SMALL)));
+    facts_ui(&mut facts, cx, series);
+    let below = rest.with_min_y(facts.min_rect().bottom() + space::SMALL);
+    surface_ui(ui, cx, below, &over.shown);
 }
 
 /// What lies over the slices, and whose import a click belongs to.
@@ -116,8 +120,62 @@ fn slice_ui(
     }
     if let Some(place) = tile.ui(ui, rect, commands) {
         let at = frame.position(place.voxel);
-        commands.extend(place_command(state, over, (at, place.dragged)));
+        let dragged = dragged_outline(ui, cx, over, (&tile, at, place.dragged));
+        commands.extend(dragged.or_else(|| place_command(state, over, (at, place.dragged))));
     }
+    if !cx.pointer_held {
+        ui.data_mut(|data| data.remove::<Grip>(grip_id()));
+    }
+}
+
+/// The corner of an outline that is dragged, with where the pointer was.
+#[derive(Clone, Copy)]
+struct Grip {
+    corner: Option<usize>,
+    at: Point3,
+}
+
+/// A corner is gripped within this distance of the pointer, in millimetres.
+const GRIP_MM: f64 = 5.0;
+
+fn grip_id() -> egui::Id {
+    egui::Id::unique("gripped outline")
+}
+
+/// While outlines are shown, a drag that begins at one moves it.
+fn dragged_outline(
+    ui: &Ui,
+    cx: &PaneContext<'_>,
+    over: &Over,
+    (tile, at, dragged): (&SliceTile<'_>, Point3, bool),
+) -> Option<Command> {
+    let (Shown::Contours(contours), Some(current)) = (&over.shown, &over.current) else {
+        return None;
+    };
+    if !dragged || cx.state().image_tool.is_some() {
+        return None;
+    }
+    let instant = cx.state().document.instant();
+    let begun: Option<Grip> = ui.data(|data| data.get_temp(grip_id()));
+    let Some(grip) = begun else {
+        let found = nearest(contours, instant, at, GRIP_MM);
+        let corner = found.map(|(_, corner)| corner);
+        ui.data_mut(|data| data.insert_temp(grip_id(), Grip { corner, at }));
+        return None;
+    };
+    // A drag that began elsewhere moves the crosshair.
+    grip.corner?;
+    let (number, corner) = nearest(contours, instant, grip.at, GRIP_MM)?;
+    let of = contours.get(number)?;
+    ui.data_mut(|data| data.insert_temp(grip_id(), Grip { corner: Some(corner), at }));
+    let moved = moved_outline(of, corner, at - grip.at);
+    let (frame, normal, depth) = (tile.frame, tile.plane.normal, tile.depth() as f64);
+    current.changed(true, |settings| {
+        put(settings, moved, |contour| {
+            let first = contour.points.first();
+            first.is_some_and(|point| (frame.voxel(*point)[normal] - depth).abs() <= 0.5)
+        });
+    })
 }
 
 /// What a click or a stroke at a position asks for: the tool in hand, else the crosshair.

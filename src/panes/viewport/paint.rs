@@ -204,10 +204,13 @@ impl CallbackTrait for ScenePaint {
         let begin = Instant::now();
         if let Some(drawing) = resources.get::<SceneDrawing>() {
             let drawing = &mut *drawing.lock();
-            for gone in self.views..drawing.views {
-                drawing.renderer.forget(ViewId(gone));
+            // A view beyond those side by side says nothing of them.
+            if self.view.0 < self.views {
+                for gone in self.views..drawing.views {
+                    drawing.renderer.forget(ViewId(gone));
+                }
+                drawing.views = self.views;
             }
-            drawing.views = self.views;
             let mut commands = Commands {
                 device,
                 queue,

@@ -50,6 +50,11 @@ pub struct Viewport {
 }
 
 impl Viewport {
+    /// Whether there is a device to draw with.
+    pub fn has_device(&self) -> bool {
+        self.has_device
+    }
+
     /// A view that draws if there is a device to draw with.
     pub fn new(has_device: bool) -> Self {
         Self {
