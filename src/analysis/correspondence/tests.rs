@@ -109,7 +109,12 @@ fn closed(mesh: &TriMesh) -> TriMesh {
     let mut triangles = mesh.triangles().to_vec();
     let rim = &mesh.faces().boundary_loops()[0];
     let middle = points.len() as u32;
-    points.push(mean_point(rim.iter().map(|&v| points[v as usize]).collect::<Vec<_>>().into_iter()));
+    points.push(mean_point(
+        rim.iter()
+            .map(|&v| points[v as usize])
+            .collect::<Vec<_>>()
+            .into_iter(),
+    ));
     for (index, &from) in rim.iter().enumerate() {
         triangles.push([rim[(index + 1) % rim.len()], from, middle]);
     }
@@ -124,9 +129,15 @@ fn a_template_lies_on_itself() {
     let template = Template::of_subject(own).unwrap();
     let made = registered(&template, &first(frames_of(own)), own.anatomy.as_ref()).unwrap();
     assert!(greatest_distance(&pose(&made, 0), &own.sequence.pose(0).unwrap()) < 1e-9);
-    assert_eq!(made.sequence.correspondence(), own.sequence.correspondence());
+    assert_eq!(
+        made.sequence.correspondence(),
+        own.sequence.correspondence()
+    );
     for fit in &made.fits {
-        assert!(fit.mean < 1e-9 && fit.p95 < 1e-9 && fit.foldovers == 0, "{fit:?}");
+        assert!(
+            fit.mean < 1e-9 && fit.p95 < 1e-9 && fit.foldovers == 0,
+            "{fit:?}"
+        );
         let [volume, wanted] = [fit.volume, fit.surface_volume.unwrap()];
         assert!((volume / wanted - 1.0).abs() < 1e-9);
     }
@@ -180,7 +191,10 @@ fn meshes_without_correspondence_get_that_of_the_template_at_all_frames() {
         assert_eq!(made.sequence.correspondence(), real.correspondence());
         assert_eq!(made.fits.len(), 16);
         for fit in &made.fits {
-            assert!(fit.mean < 0.05 && fit.p95 < 0.15 && fit.foldovers == 0, "{fit:?}");
+            assert!(
+                fit.mean < 0.05 && fit.p95 < 0.15 && fit.foldovers == 0,
+                "{fit:?}"
+            );
             let [volume, wanted] = [fit.volume, fit.surface_volume.unwrap()];
             assert!((volume / wanted - 1.0).abs() < 1e-3, "{fit:?}");
         }
@@ -196,7 +210,13 @@ fn where_nobody_says_where_the_septum_is_the_form_does_and_a_warning_says_so() {
     let template = Template::of_subject(&study.subjects[0]).unwrap();
     let own = &study.subjects[4];
     let targets = |anatomy| {
-        Targets::new(&template, &first(frames_of(own)), anatomy, &Progress::default()).unwrap()
+        Targets::new(
+            &template,
+            &first(frames_of(own)),
+            anatomy,
+            &Progress::default(),
+        )
+        .unwrap()
     };
     let [known, found] = [targets(own.anatomy.as_ref()), targets(None)];
     let angle = known.axes[0].septal.angle(&found.axes[0].septal);
@@ -246,10 +266,22 @@ fn a_blood_pool_that_is_closed_is_opened_at_its_wider_end() {
     assert_eq!(made.sequence.surfaces()[0].kind(), SurfaceKind::Endocardium);
     let fit = made.fits[0];
     assert!(fit.mean < 0.2 && fit.foldovers == 0, "{fit:?}");
-    let open = registered(&template, &alone(surface.kind, surface.frames[0].clone()), None);
+    let open = registered(
+        &template,
+        &alone(surface.kind, surface.frames[0].clone()),
+        None,
+    );
     let whole = open.unwrap().fits[0].volume;
-    assert!((0.9..1.0).contains(&(fit.volume / whole)), "{} {whole}", fit.volume);
-    assert!(made.notices.iter().any(|n| n.text.contains("closed at the base")));
+    assert!(
+        (0.9..1.0).contains(&(fit.volume / whole)),
+        "{} {whole}",
+        fit.volume
+    );
+    assert!(
+        made.notices
+            .iter()
+            .any(|n| n.text.contains("closed at the base"))
+    );
 }
 
 #[test]
@@ -259,7 +291,10 @@ fn what_is_no_ventricle_is_refused_with_a_reason() {
     let nothing = TriMesh::new(Vec::new(), Faces::new(0, Vec::new()).unwrap()).unwrap();
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
     let one = TriMesh::new(corners, Faces::new(3, vec![[0, 1, 2]]).unwrap()).unwrap();
-    let point = TriMesh::new(vec![Point3::origin(); 162], phantom::sphere(2, 1.0).faces().clone());
+    let point = TriMesh::new(
+        vec![Point3::origin(); 162],
+        phantom::sphere(2, 1.0).faces().clone(),
+    );
     let ball = phantom::sphere(3, 30.0);
     let ring = phantom::torus(30.0, 8.0, 30, 12);
     for (mesh, reason) in [
@@ -269,9 +304,13 @@ fn what_is_no_ventricle_is_refused_with_a_reason() {
         (ball, "mark both"),
         (ring, "mark both"),
     ] {
-        let error = registered(&template, &alone(SurfaceKind::Endocardium, mesh), None).unwrap_err();
+        let error =
+            registered(&template, &alone(SurfaceKind::Endocardium, mesh), None).unwrap_err();
         assert!(error.to_string().contains(reason), "{error}");
-        assert!(error.to_string().starts_with("endocardium, frame 0"), "{error}");
+        assert!(
+            error.to_string().starts_with("endocardium, frame 0"),
+            "{error}"
+        );
     }
     assert_eq!(
         registered(&template, &[], None).unwrap_err(),
@@ -280,7 +319,10 @@ fn what_is_no_ventricle_is_refused_with_a_reason() {
     let mut uneven = frames_of(&study.subjects[1]);
     uneven[0].frames.pop();
     let error = registered(&template, &uneven, None).unwrap_err();
-    assert_eq!(error.to_string(), "epicardium has 8 frames, but endocardium has 7");
+    assert_eq!(
+        error.to_string(),
+        "epicardium has 8 frames, but endocardium has 7"
+    );
 }
 
 #[test]
@@ -296,18 +338,44 @@ fn a_template_that_does_not_fit_and_landmarks_that_are_no_numbers_are_refused() 
         max_mean: 1e-6,
         ..CorrespondenceParams::default()
     };
-    let refused = correspond(&template, &targets, &landmarks, &strict.check().unwrap(), &progress);
-    assert!(refused.unwrap_err().to_string().contains("does not fit: mean distance"));
+    let refused = correspond(
+        &template,
+        &targets,
+        &landmarks,
+        &strict.check().unwrap(),
+        &progress,
+    );
+    assert!(
+        refused
+            .unwrap_err()
+            .to_string()
+            .contains("does not fit: mean distance")
+    );
     let params = CheckedCorrespondenceParams::default();
-    let nowhere = landmarks.moved(SurfaceKind::Epicardium, 0, 15, Point3::new(f64::NAN, 0.0, 0.0));
+    let nowhere = landmarks.moved(
+        SurfaceKind::Epicardium,
+        0,
+        15,
+        Point3::new(f64::NAN, 0.0, 0.0),
+    );
     let refused = correspond(&template, &targets, &nowhere.unwrap(), &params, &progress);
     let said = refused.unwrap_err().to_string();
-    assert_eq!(said, "epicardium, frame 0: apex has a coordinate that is not a finite number");
-    assert!(landmarks.moved(SurfaceKind::Epicardium, 1, 15, Point3::origin()).is_none());
+    assert_eq!(
+        said,
+        "epicardium, frame 0: apex has a coordinate that is not a finite number"
+    );
+    assert!(
+        landmarks
+            .moved(SurfaceKind::Epicardium, 1, 15, Point3::origin())
+            .is_none()
+    );
     let mut fewer = landmarks.clone();
     fewer.surfaces.pop();
     let refused = correspond(&template, &targets, &fewer, &params, &progress);
-    assert!(matches!(refused, Err(CorrespondenceError::LandmarkCounts { .. })));
+    assert!(matches!(
+        refused,
+        Err(CorrespondenceError::LandmarkCounts { .. })
+    ));
     let wrong = CorrespondenceParams {
         smoothing: f64::NAN,
         ..CorrespondenceParams::default()
@@ -356,5 +424,8 @@ fn whoever_asks_to_stop_is_heard() {
     let ended = correspond(&template, &targets, &landmarks, &params, &progress);
     assert_eq!(ended.unwrap_err(), stopped);
     assert_eq!(propose_landmarks(&targets, &progress).unwrap_err(), stopped);
-    assert_eq!(Targets::new(&template, &frames, None, &progress).unwrap_err(), stopped);
+    assert_eq!(
+        Targets::new(&template, &frames, None, &progress).unwrap_err(),
+        stopped
+    );
 }
