@@ -53,7 +53,7 @@ pub use limits::{
 };
 pub use mask_study::{
     MaskFacts, MaskFiles, MaskKind, MaskSeries, MaskStudyError, NamedLabels, find_mask_studies,
-    is_mask_name, read_masks, united_notices,
+    is_mask_file, read_masks, united_notices,
 };
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;

@@ -91,7 +91,10 @@ fn mesh(folder: &Path, name: &str, more: &[&str]) -> std::process::Output {
 /// Volumes of the endocardium by frame, in millilitres.
 fn cavities(folder: &Path) -> Vec<f64> {
     let table = fs::read_to_string(folder.join("out/fit.csv")).unwrap();
-    let cells = table.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>());
+    let cells = table
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').collect::<Vec<_>>());
     let endo = cells.filter(|cells| cells[2] == "endo");
     endo.map(|cells| cells[6].parse().unwrap()).collect()
 }
@@ -101,23 +104,36 @@ fn gated_counts_become_a_study_whose_settings_make_it_again() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path();
     fs::write(path.join("p7.nii"), spect(STATED)).unwrap();
-    let made = json_of(&mesh(path, "p7.nii", &["--json", "--cycle", "900", "--blur", "4"]));
+    let made = json_of(&mesh(
+        path,
+        "p7.nii",
+        &["--json", "--cycle", "900", "--blur", "4"],
+    ));
     assert_eq!(made["subjects"][0]["id"], "p7");
     assert_eq!(made["subjects"][0]["road"], "spect");
     assert_eq!(made["subjects"][0]["frames"], 3);
     let first = cavities(path);
-    assert!(first[1] < 0.8 * first[0] && first[1] < first[2], "{first:?}");
+    assert!(
+        first[1] < 0.8 * first[0] && first[1] < first[2],
+        "{first:?}"
+    );
     let manifest = fs::read_to_string(path.join("out/study.toml")).unwrap();
     assert!(manifest.contains("0.3"), "times are missing: {manifest}");
     let kept = fs::read_to_string(path.join("out/preparation.json")).unwrap();
-    assert!(kept.contains("\"cycle_ms\": 900.0") && kept.contains("\"blur_mm\": 4.0"), "{kept}");
+    assert!(
+        kept.contains("\"cycle_ms\": 900.0") && kept.contains("\"blur_mm\": 4.0"),
+        "{kept}"
+    );
     let settings = path.join("kept.json");
     fs::write(&settings, &kept).unwrap();
     fs::remove_dir_all(path.join("out")).unwrap();
     let ran = mesh(path, "p7.nii", &["--settings", text(&settings)]);
     assert_eq!(code(&ran), 0, "{}", said(&ran));
     assert_eq!(cavities(path), first);
-    assert_eq!(fs::read_to_string(path.join("out/preparation.json")).unwrap(), kept);
+    assert_eq!(
+        fs::read_to_string(path.join("out/preparation.json")).unwrap(),
+        kept
+    );
 }
 
 #[test]
@@ -156,7 +172,11 @@ fn labels_of_any_name_are_asked_for_and_taken_and_a_lid_closes_each_surface() {
     fs::write(path.join("heart.nii"), labels(STATED)).unwrap();
     let ran = mesh(path, "heart.nii", &[]);
     assert_eq!(code(&ran), 1);
-    assert!(said(&ran).contains("--labels cavity=N,wall=N"), "{}", said(&ran));
+    assert!(
+        said(&ran).contains("--labels cavity=N,wall=N"),
+        "{}",
+        said(&ran)
+    );
     let vertices = |more: &[&str]| {
         let mut options = vec!["--json", "--labels", "cavity=5,wall=6"];
         options.extend(more);
@@ -178,10 +198,17 @@ fn cine_asks_for_its_points_and_takes_negative_coordinates() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path();
     fs::write(path.join("sa.nii"), spect([1.5, 1.5, 8.0])).unwrap();
-    let ran = mesh(path, "sa.nii", &["--road", "cine", "--apex", "-23,-1.5,200"]);
+    let ran = mesh(
+        path,
+        "sa.nii",
+        &["--road", "cine", "--apex", "-23,-1.5,200"],
+    );
     assert_eq!(code(&ran), 1, "{}", said(&ran));
     let message = said(&ran);
-    assert!(message.contains("--base X,Y,Z") && message.contains("--blood X,Y,Z"), "{message}");
+    assert!(
+        message.contains("--base X,Y,Z") && message.contains("--blood X,Y,Z"),
+        "{message}"
+    );
     assert!(!message.contains("--apex"), "{message}");
 }
 
@@ -198,10 +225,17 @@ fn a_folder_of_studies_is_a_cohort_and_one_that_fails_is_one_error() {
     let ran = mesh(path, "images", &["--json"]);
     assert_eq!(code(&ran), 1);
     let made: serde_json::Value = serde_json::from_slice(&ran.stdout).unwrap();
-    let ids = made["subjects"].as_array().unwrap().iter().map(|s| s["id"].as_str().unwrap());
+    let ids = made["subjects"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|s| s["id"].as_str().unwrap());
     assert_eq!(ids.collect::<Vec<_>>(), ["a", "b"]);
     assert_eq!(made["errors"].as_array().unwrap().len(), 1);
-    assert!(made["errors"][0].as_str().unwrap().starts_with("dark: "), "{made}");
+    assert!(
+        made["errors"][0].as_str().unwrap().starts_with("dark: "),
+        "{made}"
+    );
 }
 
 #[test]
