@@ -113,6 +113,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("walls_from_masks", &[]),
     ("walls_from_contours", &["walls_from_masks"]),
     ("walls_from_spect", &["walls_from_masks"]),
+    ("walls_from_cine", &[]),
     (
         "preparation",
         &[

@@ -20,6 +20,7 @@ pub mod thickening;
 pub mod thickness_methods;
 pub mod transport;
 pub mod verdicts;
+pub mod walls_from_cine;
 pub mod walls_from_contours;
 pub mod walls_from_masks;
 pub mod walls_from_spect;

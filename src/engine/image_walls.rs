@@ -6,8 +6,8 @@ mod made;
 mod masked;
 mod studies;
 mod subject;
-
-
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;

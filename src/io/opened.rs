@@ -18,6 +18,17 @@ pub struct OpenError {
     pub reason: String,
 }
 
+/// What an error of frames ends with whose vertices do not correspond.
+pub(super) const NOT_IN_CORRESPONDENCE: &str =
+    "; the command register (Register… in the window) gives all frames one mesh";
+
+impl OpenError {
+    /// Whether the frames were read, but their vertices do not correspond: a template can be laid onto them.
+    pub fn is_without_correspondence(&self) -> bool {
+        self.reason.ends_with(NOT_IN_CORRESPONDENCE)
+    }
+}
+
 /// The outcome of opening.
 #[derive(Clone, Debug, Default)]
 pub struct Opened {
@@ -49,7 +60,9 @@ impl OpenedImages {
     pub fn bytes(&self) -> u64 {
         let of = |series: &Arc<ImageSeries>| {
             let volumes = series.image.volumes().iter();
-            volumes.map(|volume| size_of_val(&**volume) as u64).sum::<u64>()
+            volumes
+                .map(|volume| size_of_val(&**volume) as u64)
+                .sum::<u64>()
         };
         self.series.iter().map(of).sum()
     }

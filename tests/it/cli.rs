@@ -12,6 +12,8 @@ mod learn;
 mod medial;
 #[cfg(test)]
 pub mod mesh;
+#[cfg(test)]
+mod mesh_images;
 mod metrics;
 #[cfg(test)]
 mod noise_medial;

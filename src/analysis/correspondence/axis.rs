@@ -54,7 +54,9 @@ impl VentricleAxis {
             if weight <= 0.0 {
                 return Err(TargetError::NoAxis);
             }
-            down = (apex / weight).try_normalize(0.0).ok_or(TargetError::NoAxis)?;
+            down = (apex / weight)
+                .try_normalize(0.0)
+                .ok_or(TargetError::NoAxis)?;
         }
         let towards = towards.unwrap_or_else(|| rim[0] - base);
         Self::oriented(base, down, towards).ok_or(TargetError::NoAxis)

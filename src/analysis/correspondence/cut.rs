@@ -58,9 +58,9 @@ impl Opening {
         let [from, to] = extent(points, longest);
         let width = |end: f64| {
             let at = from + end * (to - from);
-            let near = points.iter().filter(|p| {
-                (longest.dot(&p.coords) - at).abs() <= 0.05 * (to - from)
-            });
+            let near = points
+                .iter()
+                .filter(|p| (longest.dot(&p.coords) - at).abs() <= 0.05 * (to - from));
             let ring: Vec<Point3> = near.copied().collect();
             let middle = mean_point(ring.iter().copied());
             let away = |p: &Point3| {

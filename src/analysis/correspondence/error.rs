@@ -87,7 +87,9 @@ pub enum CorrespondenceError {
     #[error("the template has neither an endocardium nor an epicardium")]
     NoTemplate,
     /// Landmarks of another subject.
-    #[error("the landmarks are those of {given} frames and {given_surfaces} surfaces, but there are {frames} and {surfaces}")]
+    #[error(
+        "the landmarks are those of {given} frames and {given_surfaces} surfaces, but there are {frames} and {surfaces}"
+    )]
     LandmarkCounts {
         /// Frames of the landmarks.
         given: usize,

@@ -59,7 +59,10 @@ pub const LANDMARK_PLACES: [LandmarkPlace; LANDMARK_COUNT] = [
 /// The positions of the landmarks on one surface at one instant, in the order of [`LANDMARK_PLACES`]. Plain numbers: they
 /// can be moved by hand and stored.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "[[f64; 3]; LANDMARK_COUNT]", into = "[[f64; 3]; LANDMARK_COUNT]")]
+#[serde(
+    from = "[[f64; 3]; LANDMARK_COUNT]",
+    into = "[[f64; 3]; LANDMARK_COUNT]"
+)]
 pub struct SurfaceLandmarks {
     /// One for each place.
     pub points: [Point3; LANDMARK_COUNT],
@@ -143,5 +146,7 @@ fn rim_at(rim: &[Point3], axis: &VentricleAxis, out: Vector3) -> Option<Point3> 
         (radius > 0.0).then_some((radius, point))
     };
     let found = (0..rim.len()).filter_map(crossing);
-    found.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, point)| point)
+    found
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, point)| point)
 }

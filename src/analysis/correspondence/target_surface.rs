@@ -68,7 +68,9 @@ impl TargetSurface {
         let faces = Faces::new(vertices.len(), triangles.clone())?;
         let loops = by_length(faces.boundary_loops(), &vertices);
         let longest = loops.first().map_or(0.0, |(length, _)| *length);
-        let ends = loops.iter().filter(|(length, _)| *length >= MIN_END * longest);
+        let ends = loops
+            .iter()
+            .filter(|(length, _)| *length >= MIN_END * longest);
         let ends = ends.count();
         if ends > 1 {
             return Err(TargetError::SeveralOpenings { openings: ends });
@@ -99,7 +101,10 @@ impl TargetSurface {
         let open_sides = open_sides(&triangles);
         let normals = oriented.then(|| face_normals(&vertices, &triangles));
         let tree = ClosestPoint::new(&vertices, &triangles).ok_or(TargetError::NoExtent)?;
-        let rim = loops.into_iter().next().map_or_else(Vec::new, |(_, rim)| rim);
+        let rim = loops
+            .into_iter()
+            .next()
+            .map_or_else(Vec::new, |(_, rim)| rim);
         Ok(Self {
             vertices,
             triangles,
@@ -158,7 +163,10 @@ impl TargetSurface {
     /// The last point in which the ray meets the surface.
     pub fn last_hit(&self, from: Point3, along: Vector3) -> Option<Point3> {
         let corners = |t: &[u32; 3]| t.map(|v| self.vertices[v as usize]);
-        let hits = self.triangles.iter().filter_map(|t| hit(&corners(t), from, along));
+        let hits = self
+            .triangles
+            .iter()
+            .filter_map(|t| hit(&corners(t), from, along));
         let farthest = hits.reduce(f64::max)?;
         Some(from + along * farthest)
     }
@@ -166,7 +174,10 @@ impl TargetSurface {
     /// How often the ray meets the surface.
     pub fn hits(&self, from: Point3, along: Vector3) -> usize {
         let corners = |t: &[u32; 3]| t.map(|v| self.vertices[v as usize]);
-        let hits = self.triangles.iter().filter_map(|t| hit(&corners(t), from, along));
+        let hits = self
+            .triangles
+            .iter()
+            .filter_map(|t| hit(&corners(t), from, along));
         hits.count()
     }
 }
@@ -193,7 +204,9 @@ fn largest_piece(
     };
     let whole = area_of(&largest);
     let rest: Vec<Sheet> = pieces.collect();
-    let large = rest.iter().filter(|piece| area_of(piece) > MAX_SPECK * whole);
+    let large = rest
+        .iter()
+        .filter(|piece| area_of(piece) > MAX_SPECK * whole);
     match large.count() {
         0 => {}
         others => {

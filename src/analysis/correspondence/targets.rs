@@ -125,12 +125,16 @@ fn chosen(
     let mut outer = of(SurfaceKind::Epicardium).cloned();
     if let (Some(wall), true) = (of(SurfaceKind::Wall), inner.is_none() || outer.is_none()) {
         let [inside, outside] = sides(wall, progress)?;
-        notices.push(Notice::info("the wall in one surface was split into its two sides"));
+        notices.push(Notice::info(
+            "the wall in one surface was split into its two sides",
+        ));
         inner = inner.or(Some(inside));
         outer = outer.or(Some(outside));
     }
     if let (None, None, Some(other)) = (&inner, &outer, of(SurfaceKind::Other)) {
-        notices.push(Notice::warning("nothing says which surface it is: it was taken for the endocardium"));
+        notices.push(Notice::warning(
+            "nothing says which surface it is: it was taken for the endocardium",
+        ));
         inner = Some(other.clone());
     }
     let named = |kind, surface: Option<SurfaceFrames>| {
@@ -138,7 +142,10 @@ fn chosen(
         surface.map(|surface| SurfaceFrames { kind, ..surface })
     };
     let inner = named(SurfaceKind::Endocardium, inner);
-    Ok(inner.into_iter().chain(named(SurfaceKind::Epicardium, outer)).collect())
+    Ok(inner
+        .into_iter()
+        .chain(named(SurfaceKind::Epicardium, outer))
+        .collect())
 }
 
 /// Cosine beyond which a face of the outer side of a wall looks out of the base: it is part of the ring between both rims.
@@ -164,7 +171,10 @@ fn sides(
         Ok([inner, outer])
     });
     let split: Vec<[TriMesh; 2]> = split.collect::<Result<_, CorrespondenceError>>()?;
-    let (inner, outer) = split.into_iter().map(|[inner, outer]| (inner, outer)).unzip();
+    let (inner, outer) = split
+        .into_iter()
+        .map(|[inner, outer]| (inner, outer))
+        .unzip();
     Ok([inner, outer].map(|frames| SurfaceFrames {
         kind: SurfaceKind::Wall,
         frames,
@@ -268,7 +278,10 @@ fn notes_of(surface: &TargetFrames) -> Vec<String> {
     let count = surface.frames.len();
     let text = |(note, frames): (&str, usize)| match frames == count {
         true => format!("{}: {note}", surface.kind.name()),
-        false => format!("{}, {frames} of {count} frames: {note}", surface.kind.name()),
+        false => format!(
+            "{}, {frames} of {count} frames: {note}",
+            surface.kind.name()
+        ),
     };
     found.into_iter().map(text).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::{Asked, SettingsError};
 use crate::analysis::surface_extraction::SurfaceError;
+use crate::analysis::walls_from_cine::CineError;
 use crate::analysis::walls_from_contours::ContourError;
 use crate::analysis::walls_from_masks::{MaskError, WallError};
 use crate::analysis::walls_from_spect::SpectError;
@@ -42,6 +43,9 @@ pub enum PreparationError {
     /// The counts of SPECT show no ventricle.
     #[error(transparent)]
     Spect(SpectError),
+    /// No outlines are found in cine MR.
+    #[error(transparent)]
+    Cine(CineError),
     /// The outlines give no tissues.
     #[error(transparent)]
     Contours(#[from] ContourError),
@@ -88,6 +92,7 @@ stoppable! {
     WallError => Walls, WallError::Stopped;
     SurfaceError => Surface, SurfaceError::Stopped;
     SpectError => Spect, SpectError::Stopped;
+    CineError => Cine, CineError::Stopped;
     BlurError => Blur, BlurError::Stopped;
 }
 

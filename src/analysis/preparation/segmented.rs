@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::tissue_edits::edited_tissues;
 use super::{Asked, Preparation, PreparationError, Road, SettingsError, stated_image};
+use crate::analysis::walls_from_cine::{CheckedCineParams, segment_cine};
 use crate::analysis::walls_from_contours::{masks_of_contours, with_epicardium};
 use crate::analysis::walls_from_masks::{MaskLabels, Masks};
 use crate::analysis::walls_from_spect::segment_spect;
@@ -44,7 +45,7 @@ pub fn segmented(
         }
         Road::Contours => from_contours(&image, Arc::clone(&preparation.contours), preparation),
         Road::Spect => from_counts(&image, preparation, progress),
-        Road::Cine => Err(PreparationError::Asked(vec![Asked::Blood])),
+        Road::Cine => from_edges(&image, preparation, progress),
     }
 }
 
@@ -95,6 +96,30 @@ fn from_counts(
         contours: Arc::default(),
         notices: found.notices,
     })
+}
+
+/// Outlines along the edges of bright blood from three marked points on; those that were drawn are kept as they are.
+fn from_edges(
+    image: &Image,
+    preparation: &Preparation,
+    progress: &Progress,
+) -> Result<Segmented, PreparationError> {
+    let points = preparation.points;
+    let needed = [
+        (Asked::Apex, points.apex),
+        (Asked::Base, points.base),
+        (Asked::Blood, points.blood),
+    ];
+    let missing = needed.iter().filter(|(_, point)| point.is_none());
+    let missing: Vec<Asked> = missing.map(|&(asked, _)| asked).collect();
+    if !missing.is_empty() {
+        return Err(PreparationError::Asked(missing));
+    }
+    let params = CheckedCineParams::default();
+    let found = segment_cine(image, &points, &preparation.contours, &params, progress)?;
+    let mut segmented = from_contours(image, Arc::new(found.contours), preparation)?;
+    segmented.notices.splice(0..0, found.notices);
+    Ok(segmented)
 }
 
 /// Outlines as they were drawn, and of the epicardium those that follow where it was drawn at few instants.

@@ -97,8 +97,14 @@ impl Conic {
         let heights = (0..2 * REACH_MM as usize).map(|mm| mm as f64 - REACH_MM);
         let inside = |z: &f64| self.square(*z) > 0.0;
         // From the middle down: where a ventricle opens above, the conic may be wider still.
-        let tip = heights.clone().rev().skip_while(|z| *z > 0.0).find(|z| !inside(z))?;
-        let greatest = heights.filter(|z| *z > tip && *z <= tip + WIDEST_MM).map(|z| self.radius(z));
+        let tip = heights
+            .clone()
+            .rev()
+            .skip_while(|z| *z > 0.0)
+            .find(|z| !inside(z))?;
+        let greatest = heights
+            .filter(|z| *z > tip && *z <= tip + WIDEST_MM)
+            .map(|z| self.radius(z));
         let radius = greatest.fold(0.0, f64::max);
         (radius > MIN_RADIUS_MM).then_some((tip, radius.min(MAX_RADIUS_MM)))
     }

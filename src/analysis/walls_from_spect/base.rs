@@ -21,7 +21,9 @@ pub(super) fn valve_plane(
     share: f64,
 ) -> Option<ValvePlane> {
     let level = share * wall_counts;
-    let straight: Vec<usize> = (0..rays.rows).filter(|&row| rays.is_straight(row)).collect();
+    let straight: Vec<usize> = (0..rays.rows)
+        .filter(|&row| rays.is_straight(row))
+        .collect();
     let counts = |row: usize, angle: usize| {
         // A direction with its neighbours: single rays are noisy.
         let near = [ANGLES - 1, 0, 1].map(|by| row * ANGLES + (angle + by) % ANGLES);
@@ -51,7 +53,9 @@ pub(super) fn valve_plane(
             }
             before = Some(now);
         }
-        let top = straight.last().map(|&row| (rays.height(row) + 0.5 * rays.row_mm(), true));
+        let top = straight
+            .last()
+            .map(|&row| (rays.height(row) + 0.5 * rays.row_mm(), true));
         let (height, at_end) = found.or(top)?;
         heights.push(height);
         ends += usize::from(at_end);

@@ -13,7 +13,9 @@ pub enum SpectError {
     #[error(transparent)]
     Stopped(#[from] Stopped),
     /// The image is too large for what is done with it.
-    #[error("{voxels} voxels at {instants} instants are more than the limit of {limit}; crop the image")]
+    #[error(
+        "{voxels} voxels at {instants} instants are more than the limit of {limit}; crop the image"
+    )]
     TooLarge {
         /// Voxels of a volume.
         voxels: usize,
@@ -39,10 +41,14 @@ pub enum SpectError {
         needed: f64,
     },
     /// Marked points say no axis.
-    #[error("apex and base are marked in one place, or not with finite numbers: there is no long axis")]
+    #[error(
+        "apex and base are marked in one place, or not with finite numbers: there is no long axis"
+    )]
     NoAxis,
     /// Around the axis there is no wall.
-    #[error("around the long axis no wall is found at instant {instant}; are apex and base marked on the left ventricle?")]
+    #[error(
+        "around the long axis no wall is found at instant {instant}; are apex and base marked on the left ventricle?"
+    )]
     NoWall {
         /// Which instant, from 0.
         instant: usize,

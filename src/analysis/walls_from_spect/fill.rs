@@ -46,7 +46,8 @@ pub(super) fn masks(
     low -= Vector3::repeat(spacing);
     high += Vector3::repeat(spacing);
     high.z = base + spacing;
-    let size = [0, 1, 2].map(|axis| ((high[axis] - low[axis]) / spacing).max(0.0).ceil() as usize + 1);
+    let size =
+        [0, 1, 2].map(|axis| ((high[axis] - low[axis]) / spacing).max(0.0).ceil() as usize + 1);
     let voxels = size.iter().try_fold(1_usize, |all, &n| all.checked_mul(n));
     if voxels.is_none_or(|voxels| voxels > MAX_VOXELS) {
         return Err(SpectError::TooLarge {

@@ -18,10 +18,14 @@ const STEP_MM: f64 = 3.0;
 pub(super) const WALL_MM: [f64; 2] = [9.0, 66.0];
 /// To which share counts must fall behind the wall for it to end there.
 const FALL: f64 = 0.8;
+/// And where the image ends before.
+const FALL_AT_END: f64 = 0.95;
 /// Counts in the middle of the cavity as a share of those of the wall, at most.
 const MAX_CAVITY: f64 = 0.75;
 /// Counts of the wall as a share of the greatest of the image, at least: a liver may be several times as bright.
 const MIN_WALL: f64 = 0.15;
+/// Cosine of the angle to the axis within which the apex is, or the valve.
+const NEAR_AXIS: f64 = 0.766;
 /// Most places that are looked from.
 const MAX_PLACES: f64 = 60_000.0;
 
@@ -57,9 +61,12 @@ pub(super) fn most_enclosed(
         })
         .collect::<Result<_, Stopped>>()?;
     // The first of equal ones, whatever the number of threads.
-    let best = looked.into_iter().flatten().reduce(|best, next| {
-        if next.score > best.score { next } else { best }
-    });
+    let best =
+        looked.into_iter().flatten().reduce(
+            |best, next| {
+                if next.score > best.score { next } else { best }
+            },
+        );
     Ok(best)
 }
 
@@ -76,7 +83,10 @@ pub(super) fn surroundings(
 fn places(frame: &VolumeFrame) -> Vec<Point3> {
     let (size, spacing) = (frame.size(), frame.spacing());
     let extent = [0, 1, 2].map(|axis| spacing[axis] * (size[axis] - 1) as f64);
-    let all: f64 = extent.iter().map(|mm| (mm / PLACE_MM).floor() + 1.0).product();
+    let all: f64 = extent
+        .iter()
+        .map(|mm| (mm / PLACE_MM).floor() + 1.0)
+        .product();
     let step = PLACE_MM * (all / MAX_PLACES).max(1.0).cbrt();
     let counts = extent.map(|mm| (mm / step).floor() as usize + 1);
     let mut places = Vec::new();
@@ -127,7 +137,8 @@ fn around(
         contrast += 1.0 - (within / counts).max(0.0);
         wall.push(centre + direction * distance);
         distances.push(distance);
-        towards += direction;
+        // The valve has fewer counts than the apex.
+        towards += direction * counts;
     }
     let count = distances.len() as f64;
     let mean = distances.iter().sum::<f64>() / count.max(1.0);
@@ -144,12 +155,14 @@ fn around(
 /// Where counts are greatest before they fall again, and how great they are there.
 fn first_peak(sampler: &Sampler<'_>, centre: Point3, direction: Vector3) -> Option<(f64, f64)> {
     let mut peak = (0.0, f64::MIN);
+    let mut last = f64::MAX;
     let mut distance = STEP_MM;
     while distance <= WALL_MM[1] + 5.0 * STEP_MM {
         let counts = sampler.at(centre + direction * distance);
         let Some(counts) = counts.filter(|counts| counts.is_finite()) else {
-            // At the end of the image counts end, too.
-            return (peak.0 >= WALL_MM[0] && peak.0 < distance - 2.0 * STEP_MM).then_some(peak);
+            // At the end of the image a small fall must do.
+            let fallen = last < FALL_AT_END * peak.1;
+            return (peak.0 >= WALL_MM[0] && peak.0 <= WALL_MM[1] && fallen).then_some(peak);
         };
         if counts > peak.1 {
             peak = (distance, counts);
@@ -158,7 +171,18 @@ fn first_peak(sampler: &Sampler<'_>, centre: Point3, direction: Vector3) -> Opti
         } else if counts < FALL * peak.1 {
             peak = (distance, counts);
         }
+        last = counts;
         distance += STEP_MM;
     }
     None
+}
+
+/// Mean counts of the walls in the directions within 40° of one, with 0 for those without a wall.
+pub(super) fn wall_towards(sampler: &Sampler<'_>, centre: Point3, direction: Vector3) -> f64 {
+    let within = |other: &Vector3| other.dot(&direction) > NEAR_AXIS * direction.norm();
+    let near: Vec<Vector3> = directions().into_iter().filter(within).collect();
+    let peaks = near
+        .iter()
+        .filter_map(|direction| first_peak(sampler, centre, *direction));
+    peaks.map(|(_, counts)| counts).sum::<f64>() / near.len().max(1) as f64
 }

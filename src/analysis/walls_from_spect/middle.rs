@@ -5,9 +5,10 @@ use crate::progress::{Progress, Stopped};
 use super::rays::{Profiles, Rays, STEP_MM, Sheet};
 
 /// Weight of a difference from the mean of the neighbours, in counts of the wall per cm².
-const SMOOTHNESS: f64 = 1.0;
-/// Weight of a difference from where the wall was expected.
-const EXPECTED: f64 = 0.12;
+const SMOOTHNESS: f64 = 0.25;
+/// Weight of the same ray at a neighbouring instant in that mean, where one beside it has 1. More would hold the wall back
+/// at end-systole and end-diastole.
+const IN_TIME: f64 = 0.02;
 /// Distance on either side of where the wall is expected that is looked at.
 const WINDOW_MM: f64 = 16.0;
 /// Rounds over all rays; fewer once nothing moves by more than a tenth of a sample.
@@ -17,8 +18,8 @@ const MOST: f64 = 1.15;
 
 /// Sheets at all instants, each near to what is expected and to its neighbours in space and in the cycle of the beat.
 ///
-/// On each ray, f(r) − s (r − m)² − e (r − r₀)² is greatest, where f are counts relative to those of the wall, m the mean of the
-/// neighbours and r₀ what is expected; found by rounds over all rays.
+/// On each ray, f(r) − s (r − m)² − h (r − r₀)² is greatest, where f are counts relative to those of the wall, m the mean of the
+/// neighbours, r₀ what is expected and h how firmly (`held`, per cm²); found by rounds over all rays.
 ///
 /// # Errors
 /// If it was asked to stop.
@@ -27,6 +28,7 @@ pub(super) fn middles(
     profiles: &[Profiles],
     expected: &[f64],
     wall_counts: &[f64],
+    held: f64,
     progress: &Progress,
 ) -> Result<Vec<Sheet>, Stopped> {
     let instants = profiles.len();
@@ -42,6 +44,7 @@ pub(super) fn middles(
                     profiles: &profiles[instant],
                     ray,
                     wall,
+                    held,
                 };
                 let found = counts.best(around, r0);
                 moved = moved.max((found - sheets[instant][ray]).abs());
@@ -64,9 +67,12 @@ fn mean_around(rays: &Rays, sheets: &[Sheet], instant: usize, ray: usize) -> f64
     }
     let instants = sheets.len();
     if instants > 2 {
-        for other in [(instant + 1) % instants, (instant + instants - 1) % instants] {
-            sum += 0.5 * sheets[other][ray];
-            count += 0.5;
+        for other in [
+            (instant + 1) % instants,
+            (instant + instants - 1) % instants,
+        ] {
+            sum += IN_TIME * sheets[other][ray];
+            count += IN_TIME;
         }
     }
     sum / count
@@ -77,6 +83,7 @@ struct Along<'a> {
     profiles: &'a Profiles,
     ray: usize,
     wall: f64,
+    held: f64,
 }
 
 impl Along<'_> {
@@ -87,9 +94,13 @@ impl Along<'_> {
             let counts = self.profiles.of(self.ray).get(sample);
             let counts = counts.map_or(f64::NAN, |&c| f64::from(c)) / self.wall;
             // Beyond the image nothing is known.
-            let counts = if counts.is_finite() { counts.clamp(0.0, MOST) } else { 0.0 };
+            let counts = if counts.is_finite() {
+                counts.clamp(0.0, MOST)
+            } else {
+                0.0
+            };
             let cm = [r - around, r - expected].map(|mm| mm / 10.0);
-            counts - SMOOTHNESS * cm[0] * cm[0] - EXPECTED * cm[1] * cm[1]
+            counts - SMOOTHNESS * cm[0] * cm[0] - self.held * cm[1] * cm[1]
         };
         let first = ((expected - WINDOW_MM) / STEP_MM).ceil().max(1.0) as usize;
         let last = ((expected + WINDOW_MM) / STEP_MM).floor().max(1.0) as usize;

@@ -14,9 +14,9 @@ mod params;
 mod place;
 mod rays;
 mod segment;
-mod unturned;
 #[cfg(test)]
 mod tests;
+mod unturned;
 
 pub use error::SpectError;
 pub use params::{CheckedSpectParams, SpectGrid, SpectParams, SpectParamsError};

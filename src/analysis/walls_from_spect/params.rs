@@ -41,9 +41,9 @@ impl Default for SpectParams {
         Self {
             blur_mm: 3.0,
             threshold: 0.5,
-            endocardium: 0.55,
+            endocardium: 0.63,
             epicardium: 0.33,
-            base: 0.5,
+            base: 0.55,
             spacing_mm: 2.0,
             grid: SpectGrid::Recognised,
         }
@@ -96,7 +96,10 @@ impl SpectParams {
             ("epicardium", self.epicardium),
             ("base", self.base),
         ];
-        match shares.into_iter().find(|(_, value)| !(*value > 0.0 && *value < 1.0)) {
+        match shares
+            .into_iter()
+            .find(|(_, value)| !(*value > 0.0 && *value < 1.0))
+        {
             Some((name, value)) => Err(SpectParamsError::Share { name, value }),
             None => Ok(CheckedSpectParams(self)),
         }
@@ -123,7 +126,14 @@ mod tests {
             assert!(SpectParams { blur_mm, ..usual }.check().is_err());
         }
         for spacing_mm in [0.5, 6.0, f64::NAN] {
-            assert!(SpectParams { spacing_mm, ..usual }.check().is_err());
+            assert!(
+                SpectParams {
+                    spacing_mm,
+                    ..usual
+                }
+                .check()
+                .is_err()
+            );
         }
         for base in [0.0, 1.0, f64::NAN] {
             let error = SpectParams { base, ..usual }.check().unwrap_err();

@@ -7,14 +7,14 @@ use crate::study::Notice;
 
 use super::SpectError;
 use super::axis::{Conic, LongAxis};
-use super::find::{Surroundings, most_enclosed, surroundings};
+use super::find::{Surroundings, most_enclosed, surroundings, wall_towards};
 use super::rays::Rays;
 use super::segment::greatest;
 
 /// How well a place must be enclosed. Real hearts have 0.25 and more, noise and organs without a cavity 0.1 and less.
 const ENCLOSED: f64 = 0.18;
 /// Rounds of looking from the middle of the wall that was found.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 5;
 /// Height of the rays above the tip of the wall, in its greatest radii: longer than any ventricle, so that the valve is below.
 const LENGTH: f64 = 4.0;
 
@@ -59,7 +59,9 @@ pub(super) fn placed(
     let (tip, radius) = conic.tip_and_radius().ok_or_else(|| none(0.0))?;
     let rays = Rays::across(&conic, tip, radius, tip + LENGTH * radius);
     let points = MarkedPoints {
-        apex: marked.apex.or(Some(conic.axis.position(Vector3::new(0.0, 0.0, tip)))),
+        apex: marked
+            .apex
+            .or(Some(conic.axis.position(Vector3::new(0.0, 0.0, tip)))),
         ..*marked
     };
     notices.push(Notice::info(match marked_axis {
@@ -114,11 +116,16 @@ fn refined(
             break;
         };
         // The middle of the sphere of rays, and a little towards the base.
-        let centre = fitted.axis.position(Vector3::new(0.0, 0.0, tip + 1.3 * radius));
+        let centre = fitted
+            .axis
+            .position(Vector3::new(0.0, 0.0, tip + 1.3 * radius));
         let Some(next) = surroundings(sampler, centre, most) else {
             break;
         };
-        axis = LongAxis::towards(centre, fitted.axis.up());
+        let up = fitted.axis.up();
+        // The apex is where there is more of a wall.
+        let [base, apex] = [up, -up].map(|towards| wall_towards(sampler, centre, towards));
+        axis = LongAxis::towards(centre, if base > apex { -up } else { up });
         seen = next;
     }
     Ok(conic)

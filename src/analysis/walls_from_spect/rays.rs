@@ -122,11 +122,13 @@ impl Rays {
                 true => (0, turn + ANGLES / 2),
                 false => ((row as usize).min(self.rows - 1), turn),
             };
-            sheet.get(row * ANGLES + turn % ANGLES).copied().unwrap_or(0.0)
+            sheet
+                .get(row * ANGLES + turn % ANGLES)
+                .copied()
+                .unwrap_or(0.0)
         };
-        let along = |row: f64| {
-            at(row, low_turn) * (1.0 - part_turn) + at(row, low_turn + 1.0) * part_turn
-        };
+        let along =
+            |row: f64| at(row, low_turn) * (1.0 - part_turn) + at(row, low_turn + 1.0) * part_turn;
         along(low_row) * (1.0 - part_row) + along(low_row + 1.0) * part_row
     }
 
@@ -165,7 +167,11 @@ impl Rays {
     ///
     /// # Errors
     /// If it was asked to stop.
-    pub fn profiles(&self, sampler: &Sampler<'_>, progress: &Progress) -> Result<Profiles, Stopped> {
+    pub fn profiles(
+        &self,
+        sampler: &Sampler<'_>,
+        progress: &Progress,
+    ) -> Result<Profiles, Stopped> {
         let rows = (0..self.rows).into_par_iter().map(|row| {
             progress.check()?;
             let mut counts = Vec::with_capacity(ANGLES * self.samples);

@@ -32,6 +32,10 @@ pub struct SpectSegmentation {
 /// Voxels of an image that are worked on: 128 × 128 × 128 at 32 instants.
 const MAX_VOXELS: usize = 1 << 26;
 
+/// How firmly the wall in the sum over instants is held to the surface of revolution, in counts of the wall per cm²: another
+/// organ that touches the wall must not draw it away. From instant to instant it moves freely.
+const HELD: f64 = 0.12;
+
 /// Finds the left ventricle in gated SPECT and follows its wall.
 ///
 /// 1. Planes through the long axis are laid out as a volume ([`SpectGrid`]); each volume is blurred and edited, with a threshold
@@ -180,14 +184,12 @@ fn followed(
     };
     let wall = usual(&ungated, &expected).ok_or(SpectError::NoCounts)?;
     let ungated = [ungated];
-    let first = middles(rays, &ungated, &expected, &[wall], progress)?;
+    let first = middles(rays, &ungated, &expected, &[wall], HELD, progress)?;
     let expected = first.first().map_or(&[][..], |sheet| sheet);
     let counts: Vec<f64> = (profiles.iter().enumerate())
-        .map(|(instant, profiles)| {
-            usual(profiles, expected).ok_or(SpectError::NoWall { instant })
-        })
+        .map(|(instant, profiles)| usual(profiles, expected).ok_or(SpectError::NoWall { instant }))
         .collect::<Result<_, _>>()?;
-    let middles = middles(rays, profiles, expected, &counts, progress)?;
+    let middles = middles(rays, profiles, expected, &counts, 0.0, progress)?;
     let counts = (profiles.iter().zip(&middles).enumerate())
         .map(|(instant, (profiles, sheet))| {
             usual(profiles, sheet).ok_or(SpectError::NoWall { instant })
@@ -203,9 +205,11 @@ fn valve_planes(
     share: f64,
 ) -> Result<Vec<ValvePlane>, SpectError> {
     let instants = profiles.iter().zip(&walls.middles).zip(&walls.counts);
-    let planes = instants.enumerate().map(|(instant, ((profiles, middle), &counts))| {
-        valve_plane(rays, profiles, middle, counts, share).ok_or(SpectError::NoWall { instant })
-    });
+    let planes = instants
+        .enumerate()
+        .map(|(instant, ((profiles, middle), &counts))| {
+            valve_plane(rays, profiles, middle, counts, share).ok_or(SpectError::NoWall { instant })
+        });
     planes.collect()
 }
 

@@ -1,16 +1,16 @@
 //! Masks that are known by the names of their files.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::{ImageWallSettings, ImageWalls};
 use crate::analysis::preparation::{Preparation, Road};
 use crate::engine::mask_walls::{MaskWallSettings, MaskWalls, mask_walls};
-use crate::io::{Limits, PassedOver, is_mask_name};
+use crate::io::{Limits, PassedOver, is_mask_file};
 use crate::progress::{Progress, Stopped};
 
 /// Adds the walls of all masks below paths, and passes over the files beside them from then on. A file that is a path itself is
-/// one of masks if its name says so, or if masks are asked for. Answers the files whose masks are wrong.
+/// one of masks if its name or its content says so, or if masks are asked for. Answers the files whose masks are wrong.
 ///
 /// # Errors
 /// Only if it was asked to stop.
@@ -23,11 +23,7 @@ pub(super) fn add(
     passed_over: &mut PassedOver,
 ) -> Result<Vec<PathBuf>, Stopped> {
     let wanted = matches!(settings.road(), Some(Road::Masks(_)));
-    let is_mask = |path: &Path| {
-        let name = path.file_name().map(|name| name.to_string_lossy());
-        name.is_some_and(|name| is_mask_name(&name))
-    };
-    let may_be = |path: &&PathBuf| path.is_dir() || wanted || is_mask(path);
+    let may_be = |path: &&PathBuf| path.is_dir() || wanted || is_mask_file(path);
     let paths: Vec<PathBuf> = paths.iter().filter(may_be).cloned().collect();
     if paths.is_empty() {
         return Ok(Vec::new());

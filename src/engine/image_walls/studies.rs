@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::chosen::chosen;
 use super::{ImageWallSettings, ImageWalls};
 use crate::analysis::preparation::Road;
-use crate::io::{FoundImage, ImageSeries, is_mask_name};
+use crate::io::{FoundImage, ImageSeries, is_mask_file};
 
 /// The images of one subject to be.
 #[derive(Debug)]
@@ -27,10 +27,6 @@ pub(super) fn image_studies(
     walls: &ImageWalls,
 ) -> Vec<ImageStudy> {
     let road = settings.road();
-    let is_mask = |path: &Path| {
-        let name = path.file_name().map(|name| name.to_string_lossy());
-        name.is_some_and(|name| is_mask_name(&name))
-    };
     let by_masks = matches!(road, None | Some(Road::Masks(_)));
     let mut groups: Vec<(Option<usize>, PathBuf, Vec<ImageSeries>)> = Vec::new();
     let mut of_study: BTreeMap<usize, usize> = BTreeMap::new();
@@ -42,7 +38,7 @@ pub(super) fn image_studies(
     {
         let path = path.unwrap_or_default();
         // On another road masks are no images.
-        if !by_masks && is_mask(&path) {
+        if !by_masks && is_mask_file(&path) {
             continue;
         }
         let place = study.and_then(|study| of_study.get(&study).copied());

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::images::{Images, SlicePlace};
 use super::instants::Instants;
-use super::outline::{FrameName, Outline, OutlinePlace};
+use super::outline::{FrameName, ImageName, Outline, OutlinePlace};
 use crate::image::{Contour, VolumeFrame};
 use crate::mesh::Point3;
 use crate::study::Notice;
@@ -95,9 +95,7 @@ fn home(outline: &Outline, images: &Images) -> Option<SlicePlace> {
     match &outline.place {
         OutlinePlace::InImage { image, .. } => images.place(image),
         OutlinePlace::InWorld { frame, .. } => match frame {
-            FrameName::Instance(name) => {
-                images.place(&super::outline::ImageName::Instance(name.clone()))
-            }
+            FrameName::Instance(name) => images.place(&ImageName::Instance(name.clone())),
             _ => None,
         },
     }

@@ -52,6 +52,16 @@ pub enum ContourStudyError {
         /// Series that were read.
         images: usize,
     },
+    /// Outlines stand in the world at instants that the series does not have.
+    #[error(
+        "{outlines} outlines are of instants that the series does not have ({instants} volumes)"
+    )]
+    NoInstants {
+        /// How many there are.
+        outlines: usize,
+        /// Volumes of the series that they lie in.
+        instants: usize,
+    },
 }
 
 /// Reads outlines and images of a subject, and finds the series in which most of the outlines lie. Other series are left out.
@@ -65,10 +75,13 @@ pub fn read_contours(
     progress: &Progress,
 ) -> Result<ContouredImage, ContourStudyError> {
     let mut drawn = OutlineFile::default();
+    let mut points = 0;
     for path in &study.contours {
         progress.check()?;
-        drawn.join(read_outlines(path, limits)?);
-        unless_too_many(&drawn.outlines, limits, path)?;
+        let file = read_outlines(path, limits)?;
+        points += points_of(&file.outlines);
+        unless_too_many(points, limits, path)?;
+        drawn.join(file);
     }
     let mut notices = drawn.notices();
     if drawn.outlines.is_empty() {
@@ -82,20 +95,27 @@ pub fn read_contours(
         false => Images::read(&study.images, limits, progress)??,
     };
     let placed = placed(&drawn.outlines, &images);
+    let series = placed.series.filter(|&series| series < images.series.len());
     if placed.contours.is_empty() {
-        return Err(ContourStudyError::NoImages {
-            outlines: placed.homeless.max(drawn.outlines.len()),
-            images: images.series.len(),
+        let outlines = drawn.outlines.len();
+        return Err(match series.and_then(|series| images.series.get(series)) {
+            Some(series) if placed.homeless < outlines => ContourStudyError::NoInstants {
+                outlines,
+                instants: series.image.volumes().len(),
+            },
+            _ => ContourStudyError::NoImages {
+                outlines,
+                images: images.series.len(),
+            },
         });
     }
     notices.append(&mut images.notices);
     notices.extend(placed.notices);
-    if placed.series.is_none() && !images.series.is_empty() {
+    if series.is_none() && !images.series.is_empty() {
         notices.push(Notice::warning(
             "the outlines lie in none of the images: they are used without one",
         ));
     }
-    let series = placed.series.filter(|&series| series < images.series.len());
     Ok(ContouredImage {
         series: series.map(|series| images.series.swap_remove(series)),
         contours: placed.contours,
@@ -104,13 +124,17 @@ pub fn read_contours(
     })
 }
 
-/// All points together are bounded as those of one file.
-fn unless_too_many(outlines: &[Outline], limits: &Limits, path: &Path) -> Result<(), OpenError> {
-    let points = outlines.iter().map(|outline| match &outline.place {
+/// Corners of all outlines.
+fn points_of(outlines: &[Outline]) -> usize {
+    let each = outlines.iter().map(|outline| match &outline.place {
         OutlinePlace::InImage { corners, .. } => corners.len(),
         OutlinePlace::InWorld { points, .. } => points.len(),
     });
-    let count: usize = points.sum();
+    each.sum()
+}
+
+/// All points together are bounded as those of one file.
+fn unless_too_many(count: usize, limits: &Limits, path: &Path) -> Result<(), OpenError> {
     if count <= limits.vertices {
         return Ok(());
     }

@@ -78,6 +78,13 @@ pub fn find_mask_studies(
     Ok(walk.subjects())
 }
 
+/// Whether a file is one of masks by its name, or a segmentation of DICOM.
+pub fn is_mask_file(path: &Path) -> bool {
+    let name = path.file_name().map(|name| name.to_string_lossy());
+    let named = name.is_some_and(|name| mask_name(&name).is_some());
+    named || is_segmentation(path)
+}
+
 /// Files of one subject.
 #[derive(Default)]
 struct Group {

@@ -10,9 +10,9 @@ mod segmentation;
 mod tests;
 mod united;
 
-pub use find::{MaskFiles, MaskKind, find_mask_studies};
+pub use find::{MaskFiles, MaskKind, find_mask_studies, is_mask_file};
 pub use info::MaskFacts;
-pub use name::is_mask_name;
+pub(in crate::io) use name::is_mask_name;
 pub use segmentation::NamedLabels;
 pub use united::united_notices;
 pub use read::{MaskSeries, MaskStudyError, read_masks};

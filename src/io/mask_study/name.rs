@@ -74,7 +74,7 @@ pub(super) fn mask_name(name: &str) -> Option<MaskName> {
 }
 
 /// Whether a file is one of masks by its name.
-pub fn is_mask_name(name: &str) -> bool {
+pub(in crate::io) fn is_mask_name(name: &str) -> bool {
     mask_name(name).is_some()
 }
 

@@ -84,7 +84,7 @@ pub fn read_masks(
     for path in paths {
         progress.check()?;
         let (series, named) = match is_segmentation(path) {
-            true => read_segmentation(path, limits, &progress.within())?,
+            true => read_segmentation(path, limits, &progress.within())??,
             false => (read_image_file(path, limits)?, None),
         };
         labels.push(named);

@@ -1,13 +1,12 @@
 //! Masks in a DICOM segmentation: a volume of labels, with what each label is.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
-use std::sync::Arc;
 
 use crate::io::dicom::{is_segmentation_head, read_dicom_bytes, segment_parts};
-use crate::io::{ImageSeries, Limits, Modality, OpenError, read_head};
+use crate::io::{ImageSeries, Limits, Modality, OpenError, ReadImageError, read_head};
 use crate::progress::{Progress, Stopped};
-
-use super::read::MaskStudyError;
 
 /// Bytes of a head that name the class of a DICOM file.
 const HEAD: u64 = 4096;
@@ -28,43 +27,59 @@ pub(super) fn is_segmentation(path: &Path) -> bool {
     read_head(path, HEAD).is_ok_and(|head| is_segmentation_head(&head))
 }
 
-/// Reads the labels of a segmentation, and which tissues they are.
+/// Labels, and which tissues they are.
+pub(super) type LabelsOfFile = (ImageSeries, Option<NamedLabels>);
+
+/// Reads the labels of a segmentation, and which tissues they are; or what is wrong with it.
 ///
 /// # Errors
-/// If it cannot be read, segments overlap or are fractions, or it was asked to stop.
+/// If it was asked to stop.
 pub(super) fn read_segmentation(
     path: &Path,
     limits: &Limits,
     progress: &Progress,
-) -> Result<(ImageSeries, Option<NamedLabels>), MaskStudyError> {
+) -> Result<Result<LabelsOfFile, OpenError>, Stopped> {
     let wrong = |reason: String| OpenError {
         subject: None,
         path: path.to_owned(),
         reason,
     };
-    let size = std::fs::metadata(path).map_or(0, |facts| facts.len());
-    if size > limits.file_bytes {
-        let most = limits.file_bytes;
-        return Err(wrong(format!("{size} bytes; the limit is {most}")).into());
-    }
-    let bytes = std::fs::read(path).map_err(|error| wrong(error.kind().to_string()))?;
-    let parts = segment_parts(bytes.clone(), limits).map_err(|error| wrong(error.to_string()))?;
-    let stopped = |stopped: Stopped| MaskStudyError::Stopped(stopped);
-    let reading = read_dicom_bytes("", Arc::from(bytes), limits, progress).map_err(stopped)?;
+    let (bytes, parts) = match bytes_and_parts(path, limits) {
+        Ok(read) => read,
+        Err(reason) => return Ok(Err(wrong(reason))),
+    };
+    let reading = read_dicom_bytes("", bytes.into(), limits, progress)?;
     if let [out, ..] = reading.left_out.as_slice() {
-        return Err(wrong(out.reason.to_string()).into());
+        return Ok(Err(wrong(out.reason.to_string())));
     }
     let mut series = reading.series;
-    match (series.pop(), series.is_empty()) {
+    Ok(match (series.pop(), series.is_empty()) {
         (Some(one), true) if one.modality == Some(Modality::Segmentation) => {
             Ok((one, named(&parts)))
         }
         _ => Err(wrong(
-            "its segments overlap or are fractions: labels are needed, one for each voxel"
-                .to_owned(),
-        )
-        .into()),
+            "its segments overlap or are fractions: one label for each voxel is needed".to_owned(),
+        )),
+    })
+}
+
+/// Segments with what they are.
+type Parts = Vec<(u32, Option<&'static str>)>;
+
+fn bytes_and_parts(path: &Path, limits: &Limits) -> Result<(Vec<u8>, Parts), String> {
+    let mut bytes = Vec::new();
+    // One byte more than may be read tells that there are too many.
+    let read = File::open(path).and_then(|file| {
+        let most = limits.file_bytes.saturating_add(1);
+        file.take(most).read_to_end(&mut bytes)
+    });
+    read.map_err(|error| error.kind().to_string())?;
+    let (size, most) = (bytes.len() as u64, limits.file_bytes);
+    if size > most {
+        return Err(ReadImageError::TooLarge { size, most }.to_string());
     }
+    let parts = segment_parts(bytes.clone(), limits).map_err(|error| error.to_string())?;
+    Ok((bytes, parts))
 }
 
 /// Labels of cavity and wall by the words of anatomy, if each is said of one segment alone.

@@ -13,6 +13,7 @@ mod folders;
 mod frame_facts;
 mod frame_folders;
 mod frame_name;
+mod frames;
 mod group_files;
 mod labels;
 mod length_unit;
@@ -47,14 +48,15 @@ use std::sync::Arc;
 
 pub use find_sequences::{looks_like_image, looks_openable};
 
-use super::{Limits, Opened};
+use super::{Limits, OpenError, Opened};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{AlignedCohort, Copies, all_of, counted};
-use crate::study::{ExcludedSubject, Notice, Study, Subject, UnreadSubject};
+use crate::study::{ExcludedSubject, LabelClasses, Notice, Study, Subject, UnreadSubject};
 use find_sequences::Search;
 use folder_contents::folder_name;
 use group_files::stem;
 use labels::unite_labels;
+pub use frames::SubjectFrames;
 pub use read_file::{read_head, read_mesh_file};
 pub use find_images::PassedOver;
 pub use read_images::{
@@ -152,6 +154,57 @@ pub fn open_paths_in_stages(
         .notices
         .extend(cohort_notices(&opened.study.subjects));
     Ok(opened)
+}
+
+/// Reads what [`open_paths`] would open, with the frames of each subject as separate meshes, whether or not their vertices
+/// correspond; and one error for each thing that cannot be read.
+///
+/// # Errors
+/// Only [`Stopped`].
+pub fn read_frames(
+    paths: &[PathBuf],
+    limits: &Limits,
+    progress: &Progress,
+) -> Result<FramesRead, Stopped> {
+    let mut search = Search::new(paths, limits, progress);
+    search.paths(paths)?;
+    let mut plan = search.plan;
+    make_ids_unique(&mut plan.subjects);
+    let mut notices = plan.notices;
+    notices.extend(unite_labels(
+        &mut plan.subjects,
+        plan.label_classes.as_ref(),
+    ));
+    let own_name = plan.name.filter(|_| paths.len() == 1);
+    let mut read = FramesRead {
+        name: own_name.unwrap_or_else(|| name_of_paths(paths)),
+        label_classes: plan.label_classes.unwrap_or_default(),
+        subjects: Vec::new(),
+        errors: plan.errors,
+        notices,
+    };
+    for outcome in stages::read_frames_of(&plan.subjects, limits, progress)? {
+        match outcome {
+            Ok(subject) => read.subjects.push(subject),
+            Err(errors) => read.errors.extend(errors),
+        }
+    }
+    Ok(read)
+}
+
+/// The outcome of [`read_frames`].
+#[derive(Clone, Debug, Default)]
+pub struct FramesRead {
+    /// What the study is called.
+    pub name: String,
+    /// What its labels count as.
+    pub label_classes: LabelClasses,
+    /// All subjects that could be read, also those that a manifest excludes.
+    pub subjects: Vec<SubjectFrames>,
+    /// One for each thing that could not be read.
+    pub errors: Vec<OpenError>,
+    /// What was assumed about the study as a whole.
+    pub notices: Vec<Notice>,
 }
 
 /// Names that say nothing without the folder around them.

@@ -10,6 +10,7 @@ use super::seams::without_seams;
 use super::series_parts::SAME_TIME;
 use super::series_times::seconds;
 use super::sheet_by_shape::sheet_by_shape;
+use crate::io::opened::NOT_IN_CORRESPONDENCE;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
 use crate::mesh::TriMesh;
 use crate::progress::{Progress, Stopped};
@@ -53,22 +54,10 @@ pub(super) fn join_subject(
     if let Some(reason) = excess(plan, limits) {
         return Ok(Err(vec![wrong(&plan.place, reason)]));
     }
-    let mut errors = Vec::new();
-    let mut read = Vec::new();
-    let mut contents = contents.into_iter();
-    for surface in &plan.surfaces {
-        let mut files = Vec::new();
-        for (path, content) in surface.files.iter().zip(&mut contents) {
-            match content {
-                Ok(file) => files.push(file),
-                Err(reason) => errors.push(wrong(path, reason)),
-            }
-        }
-        read.push(files);
-    }
-    if !errors.is_empty() {
-        return Ok(Err(errors));
-    }
+    let read = match files_of_surfaces(plan, contents) {
+        Ok(read) => read,
+        Err(errors) => return Ok(Err(errors)),
+    };
     let mut joined = Vec::new();
     for (surface, files) in plan.surfaces.iter().zip(read) {
         match join_surface(surface, files, limits) {
@@ -90,26 +79,66 @@ pub(super) fn join_subject(
         times = times.or(surface.times_s);
         surfaces.push(surface.sequence);
     }
-    if let Some(given) = plan
-        .surfaces
-        .iter()
-        .find_map(|surface| surface.times.as_ref())
-    {
-        let (seconds, notice) = seconds(given, plan.stated.rr_s);
-        times = seconds.or(times);
-        notices.extend(notice.filter(|_| plan.stated.frame_times_s.is_none()));
-    }
+    let times = times_of(plan, times, &mut notices);
     match MeshSequence::new(surfaces) {
         Ok(sequence) => {
-            let subject = with_facts(plan, sequence, times, notices);
+            let frames = sequence.frame_count();
+            let subject = with_facts(plan, sequence, frames, times, notices);
             checked(subject, progress).map(|subject| Ok(Arc::new(subject)))
         }
         Err(error) => Ok(Err(vec![wrong(&plan.place, error.to_string())])),
     }
 }
 
+/// Times that lists or names of files give, else those of a file.
+pub(super) fn times_of(
+    plan: &SubjectPlan,
+    of_file: Option<Vec<f64>>,
+    notices: &mut Vec<Notice>,
+) -> Option<Vec<f64>> {
+    let given = plan
+        .surfaces
+        .iter()
+        .find_map(|surface| surface.times.as_ref());
+    let Some(given) = given else {
+        return of_file;
+    };
+    let (seconds, notice) = seconds(given, plan.stated.rr_s);
+    notices.extend(notice.filter(|_| plan.stated.frame_times_s.is_none()));
+    seconds.or(of_file)
+}
+
+/// What was read of each surface, or one error for each file that cannot be read.
+pub(super) fn files_of_surfaces(
+    plan: &SubjectPlan,
+    contents: Vec<Result<MeshFile, String>>,
+) -> Result<Vec<Vec<MeshFile>>, Vec<OpenError>> {
+    let mut errors = Vec::new();
+    let mut read = Vec::new();
+    let mut contents = contents.into_iter();
+    for surface in &plan.surfaces {
+        let mut files = Vec::new();
+        for (path, content) in surface.files.iter().zip(&mut contents) {
+            match content {
+                Ok(file) => files.push(file),
+                Err(reason) => errors.push(OpenError {
+                    subject: Some(plan.id.clone()),
+                    path: path.clone(),
+                    reason,
+                }),
+            }
+        }
+        read.push(files);
+    }
+    if errors.is_empty() {
+        Ok(read)
+    } else {
+        Err(errors)
+    }
+}
+
 /// Surfaces whose lists give times must give the same: frames of other times are no pair.
-fn one_time_axis(surfaces: &[SurfacePlan]) -> Result<(), String> {
+pub(super) fn one_time_axis(surfaces: &[SurfacePlan]) -> Result<(), String> {
     let mut given = surfaces.iter().filter_map(|surface| surface.times.as_ref());
     let Some(first) = given.next() else {
         return Ok(());
@@ -135,12 +164,47 @@ struct JoinedSurface {
     notices: Vec<Notice>,
 }
 
-/// Frames of all files of one surface; the error names the file if it is one file's.
+/// Frames of all files of one surface in correspondence; the error names the file if it is one file's.
 fn join_surface(
     plan: &SurfacePlan,
     files: Vec<MeshFile>,
     limits: &Limits,
 ) -> Result<JoinedSurface, (Option<PathBuf>, String)> {
+    let listed = listed_frames(plan, files, limits).map_err(|reason| (None, reason))?;
+    let (kind, file_of_frame) = (listed.kind, listed.file_of_frame);
+    let mut notices = listed.notices;
+    notices.extend(FaceListing::of(&listed.frames).notices(kind));
+    let sequence = SurfaceSequence::new(kind, listed.frames).map_err(|error| match &error {
+        SequenceError::TopologyChanges { frame, .. } => {
+            let file = file_of_frame.get(*frame);
+            let path = file.and_then(|&file| plan.files.get(file).cloned());
+            (path, format!("{error}{NOT_IN_CORRESPONDENCE}"))
+        }
+        _ => (None, error.to_string()),
+    })?;
+    Ok(JoinedSurface {
+        sequence,
+        times_s: listed.times_s,
+        notices,
+    })
+}
+
+/// Frames of one surface, whether or not they correspond.
+pub(super) struct ListedFrames {
+    pub(super) kind: SurfaceKind,
+    pub(super) frames: Vec<TriMesh>,
+    /// Which file each is from.
+    file_of_frame: Vec<usize>,
+    pub(super) times_s: Option<Vec<f64>>,
+    pub(super) notices: Vec<Notice>,
+}
+
+/// Frames of all files of one surface.
+pub(super) fn listed_frames(
+    plan: &SurfacePlan,
+    files: Vec<MeshFile>,
+    limits: &Limits,
+) -> Result<ListedFrames, String> {
     let mut frames: Vec<TriMesh> = Vec::new();
     let mut file_of_frame = Vec::new();
     let mut counted: Vec<(Notice, Vec<usize>)> = Vec::new();
@@ -160,7 +224,7 @@ fn join_surface(
         }
     }
     if frames.len() > limits.frames {
-        return Err((None, too_many_frames(frames.len(), limits)));
+        return Err(too_many_frames(frames.len(), limits));
     }
     let (kind, assumed) = kind_of(plan.kind, &frames);
     let mut notices: Vec<Notice> = assumed.into_iter().collect();
@@ -174,18 +238,10 @@ fn join_surface(
     }
     let (frames, joined) = without_seams(kind, frames);
     notices.extend(joined);
-    notices.extend(FaceListing::of(&frames).notices(kind));
-    let sequence = SurfaceSequence::new(kind, frames).map_err(|error| {
-        let path = match &error {
-            SequenceError::TopologyChanges { frame, .. } => file_of_frame
-                .get(*frame)
-                .and_then(|&file| plan.files.get(file).cloned()),
-            _ => None,
-        };
-        (path, error.to_string())
-    })?;
-    Ok(JoinedSurface {
-        sequence,
+    Ok(ListedFrames {
+        kind,
+        frames,
+        file_of_frame,
         times_s,
         notices,
     })
@@ -214,10 +270,11 @@ fn kind_of(plan: KindPlan, frames: &[TriMesh]) -> (SurfaceKind, Option<Notice>) 
     }
 }
 
-/// The subject with all that is stated and assumed about it.
-fn with_facts(
+/// The subject with all that is stated and assumed about it, of so many frames.
+pub(super) fn with_facts(
     plan: &SubjectPlan,
     sequence: MeshSequence,
+    frame_count: usize,
     times_s: Option<Vec<f64>>,
     from_files: Vec<Notice>,
 ) -> Subject {
@@ -239,7 +296,6 @@ fn with_facts(
     };
     let (unit, notice) = length_unit(stated.unit, &sequence);
     notices.extend(notice);
-    let frame_count = sequence.frame_count();
     let mut subject = Subject::new(plan.id.clone(), sequence, unit);
     subject.scaled_by = scaled_by;
     subject.label = stated.label;

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
 
+use super::frames::{FramesOrErrors, frames_of};
 use super::plan::SubjectPlan;
 use super::read_file::{read_bytes, read_mesh_at};
 use super::read_subjects::{SubjectOrErrors, excess, join_subject};
@@ -88,6 +89,20 @@ pub(super) fn read_subjects(
     Ok(outcomes)
 }
 
+/// Reads all files of all subjects, each a step, without joining frames to sequences.
+pub(super) fn read_frames_of(
+    plans: &[SubjectPlan],
+    limits: &Limits,
+    progress: &Progress,
+) -> Result<Vec<FramesOrErrors>, Stopped> {
+    let reader = Reader::of(plans, limits, progress);
+    progress.expect_steps(plans.iter().map(|p| reader.files_of(p).count()).sum());
+    let read = plans
+        .iter()
+        .map(|plan| Ok(frames_of(plan, reader.contents(plan)?, limits)));
+    read.collect()
+}
+
 /// Bytes of all files that the plans name.
 pub(super) fn bytes_of(plans: &[SubjectPlan]) -> u64 {
     let files = plans.iter().flat_map(|plan| &plan.surfaces);
@@ -161,13 +176,17 @@ impl<'a> Reader<'a> {
     }
 
     fn subject(&self, plan: &SubjectPlan) -> Result<SubjectOrErrors, Stopped> {
+        let contents = self.contents(plan)?;
+        join_subject(plan, contents, self.limits, self.progress)
+    }
+
+    fn contents(&self, plan: &SubjectPlan) -> Result<Vec<Content>, Stopped> {
         let files: Vec<&PathBuf> = self.files_of(plan).collect();
         let contents = files.into_par_iter().map(|path| {
             self.progress.step()?;
             Ok(self.content(path))
         });
-        let contents: Vec<Content> = contents.collect::<Result<_, Stopped>>()?;
-        join_subject(plan, contents, self.limits, self.progress)
+        contents.collect()
     }
 
     fn content(&self, path: &PathBuf) -> Content {

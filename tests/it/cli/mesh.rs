@@ -155,7 +155,7 @@ fn wrong_options_and_nothing_to_mesh_are_told_apart() {
     let nothing = cardiomorph(&["mesh", path, "--out", path]);
     assert_eq!(code(&nothing), 1);
     assert!(
-        said(&nothing).contains("no masks were found here"),
+        said(&nothing).contains("no images were found here"),
         "{}",
         said(&nothing)
     );
