@@ -13,8 +13,8 @@ use crate::ui::text::counted;
 
 use super::apply::{Moment, change};
 use super::asks::Asks;
-use super::imports::{add_walls, panes_of_images};
 use super::errors::{push_card, push_failure, push_open_errors};
+use super::imports::{add_walls, panes_of_images};
 use crate::document::StudyExport;
 use crate::document::document::OpeningReport;
 use crate::document::state::State;

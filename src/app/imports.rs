@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::preparation::Preparation;
 use crate::document::Document;
 use crate::document::state::State;
-use crate::engine::{ImageTissuesQuery, MadeWalls, ImageWallsQuery, SeriesRef, Store};
+use crate::engine::{ImageTissuesQuery, ImageWallsQuery, MadeWalls, SeriesRef, Store};
 use crate::panes::{Command, Pane, WindowCommand};
 use crate::study::{Revision, Study, Subject};
 use crate::ui::text::counted;
@@ -65,11 +65,7 @@ fn walls_query(
     })
 }
 
-fn with_walls(
-    document: &Document,
-    made: &[(usize, Arc<MadeWalls>)],
-    revision: Revision,
-) -> Study {
+fn with_walls(document: &Document, made: &[(usize, Arc<MadeWalls>)], revision: Revision) -> Study {
     let study = document.study();
     let (mut changed, mut added) = (Vec::new(), Study::default());
     for (images, walls) in made {

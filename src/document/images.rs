@@ -117,12 +117,16 @@ impl Document {
         let directions = frame.directions();
         let steps = [0, 1, 2].map(|axis| directions[axis] * spacing_mm[axis]);
         // Distances that place no grid are never set.
-        VolumeFrame::new(frame.size(), frame.origin(), steps).ok().or(Some(frame))
+        VolumeFrame::new(frame.size(), frame.origin(), steps)
+            .ok()
+            .or(Some(frame))
     }
 
     /// Whether distances in the images on screen are in millimetres.
     pub fn images_are_measured(&self) -> bool {
-        let series = self.shown_series().is_some_and(|series| series.spacing_known());
+        let series = self
+            .shown_series()
+            .is_some_and(|series| series.spacing_known());
         let images = self.slices.images;
         let settings = images.and_then(|images| self.import.settings.get(&images));
         series || settings.is_some_and(|settings| settings.spacing_mm.is_some())

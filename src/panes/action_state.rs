@@ -4,9 +4,9 @@ use std::mem::discriminant;
 
 use crate::document::State;
 use crate::panes::commands::{
-    ClassifierCommand, Command, EditCommand, FileCommand, ImagesCommand,
-    ImportCommand, MapCommand, Pane, Phase, PhaseFrame,
-    PlaybackCommand, TransportCommand, ViewCommand, WallCommand, Whose, WindowCommand,
+    ClassifierCommand, Command, EditCommand, FileCommand, ImagesCommand, ImportCommand, MapCommand,
+    Pane, Phase, PhaseFrame, PlaybackCommand, TransportCommand, ViewCommand, WallCommand, Whose,
+    WindowCommand,
 };
 use crate::picture::Quantity;
 use crate::study::Subject;

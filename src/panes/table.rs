@@ -3,8 +3,8 @@
 use super::commands::Pane;
 use super::pane::PaneSpec;
 use super::{
-    activity, bulls_eye, cohort, curves, deformation_map, import, measures, medial_map, metric, patch,
-    pose_map, slices, spatiotemporal, thickness, verdict, viewport,
+    activity, bulls_eye, cohort, curves, deformation_map, import, measures, medial_map, metric,
+    patch, pose_map, slices, spatiotemporal, thickness, verdict, viewport,
 };
 
 /// All panes, in the order of their tabs.

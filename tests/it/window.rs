@@ -19,6 +19,8 @@ mod figures;
 #[cfg(test)]
 mod ground;
 #[cfg(test)]
+mod images;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod medial;
@@ -126,8 +128,7 @@ impl egui::DroppedFile for Dropped {
 
 fn give(harness: &mut Harness<'_, App>, command: Command) {
     harness.state_mut().push(command);
-    harness.step();
-    harness.step();
+    harness.run_steps(2);
 }
 
 /// The screen position of a pose on the map, by the lens that the map begins with.

@@ -34,7 +34,9 @@ pub fn apply(state: &mut State, command: ImagesCommand, moment: &Moment) {
 }
 
 fn show_series(document: &mut Document, series: usize) {
-    let count = document.shown_images().map_or(0, |images| images.series.len());
+    let count = document
+        .shown_images()
+        .map_or(0, |images| images.series.len());
     if series < count && series != document.slices.series {
         document.slices.series = series;
         // The series of one person share the world, not their greys.

@@ -50,7 +50,9 @@ fn image_view(state: &State) -> TimeBarView {
         looping: state.play.repeat,
         position: document.position,
         axis: CycleAxis::of_instants(&timing, count),
-        time_ms: timing.time_at(instant as f64, count).map(|time| 1e3 * time.0),
+        time_ms: timing
+            .time_at(instant as f64, count)
+            .map(|time| 1e3 * time.0),
         cycle_ms: timing.rr.map(|rr| 1e3 * rr.0),
         ..TimeBarView::default()
     }

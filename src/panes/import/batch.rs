@@ -189,11 +189,16 @@ fn actions_ui(
         if ui.checkbox(&mut batch, "Make the walls of all").changed() {
             commands.push(ImportCommand::ToggleBatch.into());
         }
-        let shown = document.slices.images.and_then(|images| all.get(images)?.as_ref());
+        let shown = document
+            .slices
+            .images
+            .and_then(|images| all.get(images)?.as_ref());
         if let Some(shown) = shown.filter(|_| all.len() > 1) {
             let words = format!("Settings of {} for all", shown.id);
-            let what = "Blur, threshold and surfaces; points, edits and outlines stay those of each";
-            let settings: Option<Vec<_>> = all.iter().map(|one| like(one.as_ref()?, shown)).collect();
+            let what =
+                "Blur, threshold and surfaces; points, edits and outlines stay those of each";
+            let settings: Option<Vec<_>> =
+                all.iter().map(|one| like(one.as_ref()?, shown)).collect();
             if let Some(settings) = settings {
                 let set = ImportCommand::SetAll { settings };
                 command_button_ui(ui, words, set, commands).on_hover_text(what);
@@ -254,14 +259,23 @@ fn heads_ui(ui: &mut Ui, columns: &Columns) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
     let colour = colours(ui).muted;
     let y = rect.center().y;
-    let heads = [("study", 0.0), ("found", columns.found), ("note", columns.note)];
+    let heads = [
+        ("study", 0.0),
+        ("found", columns.found),
+        ("note", columns.note),
+    ];
     for (text, x) in heads {
         let at = pos2(rect.left() + x + space::SMALL, y);
-        ui.painter().text(at, Align2::LEFT_CENTER, text, note_font(), colour);
+        ui.painter()
+            .text(at, Align2::LEFT_CENTER, text, note_font(), colour);
     }
-    for (text, x) in ["EDV ml", "EF %", "fit mm"].into_iter().zip(columns.numbers) {
+    for (text, x) in ["EDV ml", "EF %", "fit mm"]
+        .into_iter()
+        .zip(columns.numbers)
+    {
         let at = pos2(rect.left() + x, y);
-        ui.painter().text(at, Align2::RIGHT_CENTER, text, note_font(), colour);
+        ui.painter()
+            .text(at, Align2::RIGHT_CENTER, text, note_font(), colour);
     }
 }
 
@@ -291,15 +305,32 @@ fn row_ui(ui: &mut Ui, row: &BatchRow, columns: &Columns, selected: bool) -> Opt
         let at = pos2(clip.left() + space::SMALL, y);
         painter.text(at, Align2::LEFT_CENTER, text, font, colour);
     };
-    let id_colour = if selected { colours.selection } else { colours.strong };
+    let id_colour = if selected {
+        colours.selection
+    } else {
+        colours.strong
+    };
     text(0.0, columns.found, &row.id, medium_font(), id_colour);
-    text(columns.found, columns.numbers[0] - 40.0, &row.found, text_font(), colours.text);
-    text(columns.note, f32::INFINITY, &words, text_font(), row.state.colour(colours));
+    text(
+        columns.found,
+        columns.numbers[0] - 40.0,
+        &row.found,
+        text_font(),
+        colours.text,
+    );
+    text(
+        columns.note,
+        f32::INFINITY,
+        &words,
+        text_font(),
+        row.state.colour(colours),
+    );
     for (place, (value, x)) in row.numbers.into_iter().zip(columns.numbers).enumerate() {
         let digits = if place == 2 { 1 } else { 0 };
         let shown = value.map_or_else(|| "–".to_owned(), |value| format!("{value:.digits$}"));
         let at = pos2(rect.left() + x, y);
-        ui.painter().text(at, Align2::RIGHT_CENTER, shown, text_font(), colours.text);
+        ui.painter()
+            .text(at, Align2::RIGHT_CENTER, shown, text_font(), colours.text);
     }
     let response = response.on_hover_text(&name);
     if response.double_clicked() {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::analysis::preparation::{Asked, Preparation, Road, asked};
 use crate::document::{Document, ImportStep};
 use crate::engine::{
-    ImagePreviewQuery, ImageProposal, ImageProposalQuery, ImageTissuesQuery, MadeWalls,
-    ImageWallsQuery, SeriesRef, Showing,
+    ImagePreviewQuery, ImageProposal, ImageProposalQuery, ImageTissuesQuery, ImageWallsQuery,
+    MadeWalls, SeriesRef, Showing,
 };
 use crate::io::ImageSeries;
 use crate::panes::commands::{Command, ImportCommand};

@@ -36,7 +36,10 @@ pub fn needs_a_look(made: &MadeWalls) -> Option<String> {
         return Some(format!("{} faces folded over", fit.foldovers));
     }
     if fit.mean_mm > MEAN_MM || fit.p95_mm > P95_MM {
-        return Some(format!("fit {:.1} mm, 95 % {:.1} mm", fit.mean_mm, fit.p95_mm));
+        return Some(format!(
+            "fit {:.1} mm, 95 % {:.1} mm",
+            fit.mean_mm, fit.p95_mm
+        ));
     }
     let notices = made.subject.notices.iter();
     let mut warnings = notices.filter(|notice| notice.severity == Severity::Warning);

@@ -41,7 +41,9 @@ pub fn ui(ui: &mut Ui, current: &Current, commands: &mut Vec<Command>) {
     let road = current.settings.road;
     chooser_ui(ui, "Kind of images", road.words(), |ui| {
         let roads = Road::ALL.map(|road| (road, road.words()));
-        let now = Road::ALL.into_iter().find(|known| known.name() == road.name());
+        let now = Road::ALL
+            .into_iter()
+            .find(|known| known.name() == road.name());
         let chosen = choices_ui(ui, roads, now.unwrap_or(road));
         commands.extend(chosen.and_then(|road| with_road(current, road)));
     });
@@ -78,9 +80,21 @@ fn labels_ui(ui: &mut Ui, current: &Current, labels: MaskLabels, commands: &mut 
     let found: Vec<String> = found.map(i32::to_string).collect();
     sentence_ui(ui, format!("Labels in the image: {}", found.join(", ")));
     let fields = [
-        ("Cavity", "The label of the blood of the left ventricle", Some(labels.cavity)),
-        ("Wall", "The label of the wall of the left ventricle", Some(labels.wall)),
-        ("Right ventricle", "The label of the right ventricle, which shows the septum", labels.right),
+        (
+            "Cavity",
+            "The label of the blood of the left ventricle",
+            Some(labels.cavity),
+        ),
+        (
+            "Wall",
+            "The label of the wall of the left ventricle",
+            Some(labels.wall),
+        ),
+        (
+            "Right ventricle",
+            "The label of the right ventricle, which shows the septum",
+            labels.right,
+        ),
     ];
     for (place, (name, what, value)) in fields.into_iter().enumerate() {
         let field = NumberField {
@@ -152,7 +166,10 @@ fn spacing_ui(ui: &mut Ui, current: &Current, commands: &mut Vec<Command>) {
 
 fn cycle_ui(ui: &mut Ui, current: &Current, commands: &mut Vec<Command>) {
     heading_ui(ui, "Times");
-    sentence_ui(ui, "The file does not say them: without, the beat counts in shares");
+    sentence_ui(
+        ui,
+        "The file does not say them: without, the beat counts in shares",
+    );
     let field = NumberField {
         name: "Length of the beat",
         what: "Time from one R wave to the next; the volumes are equal parts of it",

@@ -25,12 +25,23 @@ pub const POINTS: [(ImageTool, fn(&MarkedPoints) -> Option<Point3>); 4] = [
 /// Draws the step.
 pub fn ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &mut Vec<Command>) {
     let road = current.settings.road;
-    sentence_ui(ui, match road {
-        Road::Cine => "Click apex, base and blood in the slices. The septum is found from the right ventricle, or clicked.",
-        Road::Spect => "Found in the image. A click corrects what is wrong; the septum is needed for its name alone.",
-        Road::Masks(_) | Road::Contours => "Found from the tissues. A click corrects what is wrong.",
-    });
-    let found = cx.known(&current.tissues_query()).map(|tissues| tissues.points);
+    sentence_ui(
+        ui,
+        match road {
+            Road::Cine => {
+                "Click apex, base and blood in the slices. The septum is found from the right ventricle, or clicked."
+            }
+            Road::Spect => {
+                "Found in the image. A click corrects what is wrong; the septum is needed for its name alone."
+            }
+            Road::Masks(_) | Road::Contours => {
+                "Found from the tissues. A click corrects what is wrong."
+            }
+        },
+    );
+    let found = cx
+        .known(&current.tissues_query())
+        .map(|tissues| tissues.points);
     for (tool, place) in POINTS {
         if tool == ImageTool::Blood && road != Road::Cine {
             continue;

@@ -47,12 +47,18 @@ static TISSUES: WorkWords = WorkWords {
 pub fn ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &mut Vec<Command>) {
     match current.settings.road {
         Road::Spect => {
-            sentence_ui(ui, "What is brighter than the threshold is drawn over the slices. Take away what is no heart.");
+            sentence_ui(
+                ui,
+                "What is brighter than the threshold is drawn over the slices. Take away what is no heart.",
+            );
             threshold_ui(ui, current, cx.pointer_held, commands);
             edits_ui(ui, cx, current, commands);
         }
         Road::Masks(_) => {
-            sentence_ui(ui, "The tissues are those of the labels. Take away what is no heart.");
+            sentence_ui(
+                ui,
+                "The tissues are those of the labels. Take away what is no heart.",
+            );
             edits_ui(ui, cx, current, commands);
         }
         Road::Cine | Road::Contours => contours_ui(ui, cx, current, commands),
@@ -111,8 +117,16 @@ fn edits_ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &mut
             }
         }
         for (name, edit, what) in [
-            ("Largest part", VolumeEdit::LargestComponent, "Only the largest connected part is kept"),
-            ("Fill holes", VolumeEdit::FillHoles, "What is enclosed on all sides counts as inside"),
+            (
+                "Largest part",
+                VolumeEdit::LargestComponent,
+                "Only the largest connected part is kept",
+            ),
+            (
+                "Fill holes",
+                VolumeEdit::FillHoles,
+                "What is enclosed on all sides counts as inside",
+            ),
         ] {
             if ui.button(name).on_hover_text(what).clicked() {
                 commands.extend(current.changed(false, |settings| settings.edits.push(edit)));
@@ -144,7 +158,9 @@ fn list_ui(ui: &mut Ui, current: &Current, commands: &mut Vec<Command>) {
     let mut begin = 0;
     while let Some(first) = edits.get(begin) {
         let name = edit_name(first);
-        let like = edits[begin..].iter().take_while(|edit| edit_name(edit) == name);
+        let like = edits[begin..]
+            .iter()
+            .take_while(|edit| edit_name(edit) == name);
         let end = begin + like.count();
         ui.horizontal(|ui| {
             let times = match end - begin {
@@ -180,10 +196,21 @@ fn contours_ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &
     }
     let showing = cx.ask_at_rest(&current.tissues_query());
     let before = showing.latest().map(|_| "Outlines of the settings before");
-    work_lines_ui(ui, &WorkState::of(Some(&showing)), &TISSUES, before, commands);
+    work_lines_ui(
+        ui,
+        &WorkState::of(Some(&showing)),
+        &TISSUES,
+        before,
+        commands,
+    );
     if let Some(tissues) = showing.latest() {
         let count = tissues.contours.len();
-        sentence_ui(ui, format!("{count} outlines over the beat. Drag one in a slice to correct it: those beside it follow."));
+        sentence_ui(
+            ui,
+            format!(
+                "{count} outlines over the beat. Drag one in a slice to correct it: those beside it follow."
+            ),
+        );
         for notice in &tissues.notices {
             sentence_ui(ui, crate::picture::sentence(&notice.text));
         }
@@ -191,7 +218,9 @@ fn contours_ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &
     let drawn = current.settings.contours.len();
     if drawn > 0 {
         ui.horizontal(|ui| {
-            ui.label(note(crate::ui::text::counted(drawn, "outline") + " drawn by you"));
+            ui.label(note(
+                crate::ui::text::counted(drawn, "outline") + " drawn by you",
+            ));
             let remove = egui::Button::new(note("Remove")).frame(false);
             if ui.add(remove).clicked() {
                 commands.extend(current.changed(false, |settings| {

@@ -6,7 +6,7 @@ use super::controls::{heading_ui, sentence_ui, warning_ui};
 use super::current::Current;
 use super::facts::{fit, needs_a_look};
 use crate::analysis::preparation::BaseEnd;
-use crate::engine::{MadeWalls, ImageWallsQuery, Topic};
+use crate::engine::{ImageWallsQuery, MadeWalls, Topic};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, ImportCommand};
 use crate::panes::pane_context::PaneContext;
@@ -37,14 +37,18 @@ pub fn ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &mut V
         chooser_ui(ui, "Base", base_words(base), |ui| {
             let ends = [BaseEnd::Open, BaseEnd::Closed].map(|end| (end, base_words(end)));
             let chosen = choices_ui(ui, ends, base);
-            commands.extend(chosen.and_then(|end| {
-                current.changed(false, |settings| settings.base = end)
-            }));
+            commands.extend(
+                chosen.and_then(|end| current.changed(false, |settings| settings.base = end)),
+            );
         });
     });
     let mut correct = current.settings.correct_shifts;
     let what = "Slices of another breath-hold stand beside their neighbours";
-    if ui.checkbox(&mut correct, "Put shifted slices back").on_hover_text(what).changed() {
+    if ui
+        .checkbox(&mut correct, "Put shifted slices back")
+        .on_hover_text(what)
+        .changed()
+    {
         commands.extend(current.changed(false, |settings| settings.correct_shifts = correct));
     }
     let Some(showing) = current.ask_walls(cx) else {
@@ -70,15 +74,18 @@ fn base_words(end: BaseEnd) -> &'static str {
 fn made_ui(ui: &mut Ui, made: &MadeWalls) {
     ui.label(medium(volume_words(made)));
     let fit = fit(made);
-    sentence_ui(ui, format!(
-        "Fit {:.1} mm mean · {:.1} mm 95th percentile, worst frame · {}",
-        fit.mean_mm,
-        fit.p95_mm,
-        match fit.foldovers {
-            0 => "no face folded over".to_owned(),
-            count => format!("{count} faces folded over"),
-        }
-    ));
+    sentence_ui(
+        ui,
+        format!(
+            "Fit {:.1} mm mean · {:.1} mm 95th percentile, worst frame · {}",
+            fit.mean_mm,
+            fit.p95_mm,
+            match fit.foldovers {
+                0 => "no face folded over".to_owned(),
+                count => format!("{count} faces folded over"),
+            }
+        ),
+    );
     if let Some(what) = needs_a_look(made) {
         warning_ui(ui, format!("Needs a look: {what}"));
     }
@@ -92,7 +99,8 @@ fn made_ui(ui: &mut Ui, made: &MadeWalls) {
 fn volume_words(made: &MadeWalls) -> String {
     let measures = &made.measures;
     let unit = made.subject.unit.volume_symbol();
-    let volume = |name: &str, value: Option<f64>| value.map(|value| format!("{name} {value:.0} {unit}"));
+    let volume =
+        |name: &str, value: Option<f64>| value.map(|value| format!("{name} {value:.0} {unit}"));
     let parts = [
         volume("EDV", measures.edv),
         volume("ESV", measures.esv),
@@ -116,10 +124,18 @@ pub fn is_in_cohort(cx: &PaneContext<'_>, current: &Current) -> bool {
 }
 
 /// Draws the step "Cohort".
-pub fn cohort_ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &mut Vec<Command>) {
+pub fn cohort_ui(
+    ui: &mut Ui,
+    cx: &PaneContext<'_>,
+    current: &Current,
+    commands: &mut Vec<Command>,
+) {
     let document = &cx.state().document;
     if is_in_cohort(cx, current) {
-        sentence_ui(ui, format!("{} is in the cohort with these walls.", current.id));
+        sentence_ui(
+            ui,
+            format!("{} is in the cohort with these walls.", current.id),
+        );
         return;
     }
     let Some(showing) = current.ask_walls(cx) else {

@@ -5,7 +5,10 @@ use super::batch::BatchState;
 #[test]
 fn a_row_says_what_it_needs_and_whether_somebody_should_look() {
     let missing = BatchState::Missing("the apex, the middle of the mitral ring".to_owned());
-    assert_eq!(missing.words(), "needs the apex, the middle of the mitral ring");
+    assert_eq!(
+        missing.words(),
+        "needs the apex, the middle of the mitral ring"
+    );
     let looks = [
         (missing, true),
         (BatchState::Waiting, false),

@@ -44,14 +44,23 @@ pub fn tool_words(tool: ImageTool) -> [&'static str; 2] {
     match tool {
         ImageTool::Apex => ["Apex", "Click the tip of the left ventricle"],
         ImageTool::Base => ["Base", "Click the middle of the mitral ring"],
-        ImageTool::Septum => ["Septum", "Click the septum, or the right ventricle beyond it"],
+        ImageTool::Septum => [
+            "Septum",
+            "Click the septum, or the right ventricle beyond it",
+        ],
         ImageTool::Blood => ["Blood", "Click the blood in the left ventricle"],
-        ImageTool::Eraser => ["Eraser", "Drag over what is no heart: spheres are taken away"],
+        ImageTool::Eraser => [
+            "Eraser",
+            "Drag over what is no heart: spheres are taken away",
+        ],
         ImageTool::Cut => [
             "Cut plane",
             "Click between heart and liver: what lies beyond the plane is taken away",
         ],
-        ImageTool::Keep => ["Keep this part", "Click the heart: what is not connected to it is taken away"],
+        ImageTool::Keep => [
+            "Keep this part",
+            "Click the heart: what is not connected to it is taken away",
+        ],
     }
 }
 
@@ -93,7 +102,11 @@ mod tests {
     fn a_stroke_of_the_eraser_takes_as_few_spheres_as_cover_it() {
         let mut edits = Vec::new();
         for step in 0..=100 {
-            erase(&mut edits, Point3::new(0.2 * f64::from(step), 0.0, 0.0), 10.0);
+            erase(
+                &mut edits,
+                Point3::new(0.2 * f64::from(step), 0.0, 0.0),
+                10.0,
+            );
         }
         assert_eq!(edits.len(), 6);
         let lies_within = (0..=200).all(|step| {

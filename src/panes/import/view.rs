@@ -28,11 +28,13 @@ pub fn import_ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>)
     let mut steps = ui.new_child(egui::UiBuilder::new().max_rect(above));
     steps.set_clip_rect(above.intersect(ui.clip_rect()));
     crate::ui::controls::scrolled_ui(&mut steps, "import", Margin::ZERO, |ui| {
-        Frame::new().inner_margin(Margin::symmetric(12, 4)).show(ui, |ui| {
-            let id = egui::RichText::new(&current.id).font(title_font());
-            let title = id.color(colours(ui).strong);
-            ui.add(egui::Label::new(title).truncate());
-        });
+        Frame::new()
+            .inner_margin(Margin::symmetric(12, 4))
+            .show(ui, |ui| {
+                let id = egui::RichText::new(&current.id).font(title_font());
+                let title = id.color(colours(ui).strong);
+                ui.add(egui::Label::new(title).truncate());
+            });
         for step in ImportStep::ALL {
             step_ui(ui, cx, &current, step, commands);
         }
@@ -47,7 +49,10 @@ fn nothing_ui(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         empty_pane_ui(ui, "Looking at the images", "", |_| {});
         return;
     }
-    let heading = match document.selected().filter(|_| !document.images().is_empty()) {
+    let heading = match document
+        .selected()
+        .filter(|_| !document.images().is_empty())
+    {
         Some(subject) => format!("No images of {}", subject.id),
         None => "No images to import".to_owned(),
     };
@@ -171,7 +176,10 @@ fn footer_ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &mu
         let colours = colours(ui);
         let name = step_name(next, current.settings.road).to_lowercase();
         let text = egui::RichText::new(format!("Continue to {name}")).color(colours.on_accent);
-        if ui.add(egui::Button::new(text).fill(colours.accent)).clicked() {
+        if ui
+            .add(egui::Button::new(text).fill(colours.accent))
+            .clicked()
+        {
             commands.push(ImportCommand::Step(1).into());
         }
     });

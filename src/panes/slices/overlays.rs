@@ -90,7 +90,11 @@ fn imported(cx: &PaneContext<'_>, current: &Current) -> Option<Shown> {
                 let found = tissues.as_ref().and_then(|tissues| tissues.latest());
                 let found = found.map(|found| &found.contours);
                 let frame = document.image_frame()?;
-                Some(Shown::Contours(with_drawn(found, &current.settings.contours, &frame)))
+                Some(Shown::Contours(with_drawn(
+                    found,
+                    &current.settings.contours,
+                    &frame,
+                )))
             }
             Road::Spect | Road::Masks(_) => {
                 let query = current.preview_query(document)?;
@@ -103,7 +107,9 @@ fn imported(cx: &PaneContext<'_>, current: &Current) -> Option<Shown> {
             let made = showing.latest()?;
             // Volumes without tissues have no frame: nothing is drawn over them.
             let frame = made.prepared.instants.iter();
-            let frame = frame.clone().position(|instant| *instant == document.instant());
+            let frame = frame
+                .clone()
+                .position(|instant| *instant == document.instant());
             Some(match frame {
                 Some(frame) => Shown::Walls(Arc::clone(&made.subject), frame),
                 None => Shown::Nothing,
@@ -122,11 +128,20 @@ fn with_drawn(
         return Arc::clone(found.unwrap_or(drawn));
     };
     let slice = |contour: &Contour| {
-        let first = contour.points.first().map(|point| frame.voxel(*point).z.round());
-        (contour.instant, contour.part, first.map(|slice| slice as i64))
+        let first = contour
+            .points
+            .first()
+            .map(|point| frame.voxel(*point).z.round());
+        (
+            contour.instant,
+            contour.part,
+            first.map(|slice| slice as i64),
+        )
     };
     let taken: Vec<_> = drawn.iter().map(slice).collect();
-    let others = found.iter().filter(|contour| !taken.contains(&slice(contour)));
+    let others = found
+        .iter()
+        .filter(|contour| !taken.contains(&slice(contour)));
     Arc::new(others.chain(drawn.iter()).cloned().collect())
 }
 
@@ -139,7 +154,11 @@ pub fn marks(cx: &PaneContext<'_>, current: &Current, frame: &VolumeFrame) -> Ve
         return Vec::new();
     }
     let points = &current.settings.points;
-    let named: [(ImageTool, &'static str, fn(&MarkedPoints) -> Option<crate::mesh::Point3>); 4] = [
+    let named: [(
+        ImageTool,
+        &'static str,
+        fn(&MarkedPoints) -> Option<crate::mesh::Point3>,
+    ); 4] = [
         (ImageTool::Apex, "apex", |points| points.apex),
         (ImageTool::Base, "base", |points| points.base),
         (ImageTool::Septum, "septum", |points| points.septum),
@@ -181,7 +200,11 @@ fn drawn(frame: &VolumeFrame, contour: &Contour, (normal, depth): (usize, f64)) 
     }
     let next = voxels.iter().cycle().skip(1);
     Some(Outline {
-        pieces: voxels.iter().zip(next).map(|(from, to)| [*from, *to]).collect(),
+        pieces: voxels
+            .iter()
+            .zip(next)
+            .map(|(from, to)| [*from, *to])
+            .collect(),
         colour: contour_colour(contour.part),
     })
 }

@@ -66,7 +66,10 @@ mod tests {
             length += (frame.position(*to) - at).norm();
         }
         let around = std::f64::consts::TAU * radius;
-        assert!((length / around - 1.0).abs() < 0.01, "{length} is not {around}");
+        assert!(
+            (length / around - 1.0).abs() < 0.01,
+            "{length} is not {around}"
+        );
         assert!(section(&frame, sphere.vertices(), triangles, 2, 60.0).is_empty());
     }
 }

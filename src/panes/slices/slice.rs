@@ -145,7 +145,8 @@ impl SliceTile<'_> {
             }
             return None;
         }
-        let dragged = response.dragged_by(PointerButton::Primary) && dragged_from_within(ui, response);
+        let dragged =
+            response.dragged_by(PointerButton::Primary) && dragged_from_within(ui, response);
         if with_key || !(response.clicked() || dragged) {
             return None;
         }
@@ -261,17 +262,33 @@ impl SliceTile<'_> {
         for mark in &self.marks {
             let near = (mark.voxel[self.plane.normal] - self.depth() as f64).abs() <= 0.75;
             let colour = Colours::of(true).selection;
-            let colour = if near { colour } else { colour.gamma_multiply(0.45) };
+            let colour = if near {
+                colour
+            } else {
+                colour.gamma_multiply(0.45)
+            };
             let at = self.at(image, mark.voxel);
             painter.circle_stroke(at, 4.5, Stroke::new(line::STRONG, colour));
-            words(painter, at + vec2(8.0, 0.0), Align2::LEFT_CENTER, mark.name, colour);
+            words(
+                painter,
+                at + vec2(8.0, 0.0),
+                Align2::LEFT_CENTER,
+                mark.name,
+                colour,
+            );
         }
     }
 
     fn draw_words(&self, painter: &egui::Painter, tile: Rect, image: Rect, response: &Response) {
         let colours = Colours::of(true);
         let inner = tile.shrink(space::MEDIUM);
-        words(painter, inner.min, Align2::LEFT_TOP, &self.name(), colours.strong);
+        words(
+            painter,
+            inner.min,
+            Align2::LEFT_TOP,
+            &self.name(),
+            colours.strong,
+        );
         if self.oriented {
             let [left, right, above, below] = self.plane.letters(self.frame);
             for (at, anchor, text) in [
@@ -290,7 +307,13 @@ impl SliceTile<'_> {
             self.place_words(voxel)
         });
         if let Some(text) = text {
-            words(painter, inner.left_bottom(), Align2::LEFT_BOTTOM, &text, colours.text);
+            words(
+                painter,
+                inner.left_bottom(),
+                Align2::LEFT_BOTTOM,
+                &text,
+                colours.text,
+            );
         }
     }
 
@@ -328,7 +351,13 @@ impl SliceTile<'_> {
         let start = end - vec2(length * per_mm, 0.0);
         painter.line_segment([start, end], Stroke::new(line::STRONG, colour));
         let above = start + vec2(0.5 * length * per_mm, -3.0);
-        words(painter, above, Align2::CENTER_BOTTOM, &format!("{length} mm"), colour);
+        words(
+            painter,
+            above,
+            Align2::CENTER_BOTTOM,
+            &format!("{length} mm"),
+            colour,
+        );
     }
 }
 

@@ -110,7 +110,11 @@ impl SurfaceShapes {
         let points: Vec<Vec3> = first.flatten().map(|point| Vec3::from(*point)).collect();
         let low = points.iter().copied().fold(Vec3::INFINITY, Vec3::min);
         let high = points.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
-        self.centre = if points.is_empty() { Vec3::ZERO } else { 0.5 * (low + high) };
+        self.centre = if points.is_empty() {
+            Vec3::ZERO
+        } else {
+            0.5 * (low + high)
+        };
         let far = points.iter().map(|point| point.distance(self.centre));
         self.radius = far.fold(1.0, f32::max);
     }
@@ -180,7 +184,9 @@ fn shape(frames: &[TriMesh]) -> Arc<Geometry> {
         normals.iter().map(single).collect()
     });
     Arc::new(Geometry {
-        triangles: frames.first().map_or_else(Vec::new, |mesh| mesh.triangles().to_vec()),
+        triangles: frames
+            .first()
+            .map_or_else(Vec::new, |mesh| mesh.triangles().to_vec()),
         positions: positions.collect(),
         normals: normals.collect(),
     })

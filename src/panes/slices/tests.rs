@@ -89,7 +89,10 @@ fn a_click_is_the_place_of_the_grid_under_it() {
     harness.drop_at(at);
     harness.run();
     let clicked = harness.state().clicked.last().copied().unwrap();
-    assert!((clicked - Point3::new(3.0, 7.0, 4.0)).norm() < 1e-4, "{clicked}");
+    assert!(
+        (clicked - Point3::new(3.0, 7.0, 4.0)).norm() < 1e-4,
+        "{clicked}"
+    );
 }
 
 #[test]
@@ -148,7 +151,10 @@ fn a_drag_with_the_second_button_widens_the_window_and_moves_no_crosshair() {
             _ => None,
         })
         .collect();
-    let widest = windows.iter().map(|window| window.width).fold(0.0, f64::max);
+    let widest = windows
+        .iter()
+        .map(|window| window.width)
+        .fold(0.0, f64::max);
     assert!((widest - 20.0 * 0.5_f64.exp()).abs() < 1e-3, "{windows:?}");
 }
 

@@ -6,8 +6,8 @@ use egui::{Rect, Ui, vec2};
 
 use super::contour_drag::{dragged as moved_outline, nearest, put};
 use super::grey::FoundWindow;
-use super::plane::SlicePlane;
 use super::overlays::{Shown, marks};
+use super::plane::SlicePlane;
 use super::slice::{SliceTile, value_text};
 use super::surface::surface_ui;
 use super::texture::{SlicePicture, SliceTextures};
@@ -167,7 +167,15 @@ fn dragged_outline(
     grip.corner?;
     let (number, corner) = nearest(contours, instant, grip.at, GRIP_MM)?;
     let of = contours.get(number)?;
-    ui.data_mut(|data| data.insert_temp(grip_id(), Grip { corner: Some(corner), at }));
+    ui.data_mut(|data| {
+        data.insert_temp(
+            grip_id(),
+            Grip {
+                corner: Some(corner),
+                at,
+            },
+        )
+    });
     let moved = moved_outline(of, corner, at - grip.at);
     let (frame, normal, depth) = (tile.frame, tile.plane.normal, tile.depth() as f64);
     current.changed(true, |settings| {
@@ -231,7 +239,11 @@ pub fn instant_words(state: &State, series: &ImageSeries) -> String {
     if count == 1 {
         return "One volume".to_owned();
     }
-    let what = if series.gates.is_some() { "Gate" } else { "Frame" };
+    let what = if series.gates.is_some() {
+        "Gate"
+    } else {
+        "Frame"
+    };
     let mut words = format!("{what} {} of {count}", instant + 1);
     let timing = image_timing(series);
     if let Some(time) = timing.time_at(instant as f64, count) {
