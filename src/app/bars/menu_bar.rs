@@ -143,7 +143,11 @@ fn short_path(path: &Path) -> String {
 fn study_line(state: &State) -> String {
     let study = state.document.study();
     if study.subjects.is_empty() {
-        return "No study open".to_owned();
+        return match state.document.images() {
+            [] => "No study open".to_owned(),
+            [one] => format!("Images of {}", one.id),
+            all => format!("Images of {}", counted(all.len(), "subject")),
+        };
     }
     let frames = study
         .subjects

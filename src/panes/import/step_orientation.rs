@@ -62,7 +62,7 @@ fn point_ui(
     let [name, what] = tool_words(tool);
     let in_hand = cx.state().image_tool == Some(tool);
     ui.horizontal(|ui| {
-        let button = egui::Button::selectable(in_hand, format!("Mark {}", name.to_lowercase()));
+        let button = egui::Button::new(format!("Mark {}", name.to_lowercase())).selected(in_hand);
         if ui.add(button).on_hover_text(what).clicked() {
             commands.push(ImportCommand::UseTool(Some(tool)).into());
         }

@@ -111,7 +111,7 @@ fn edits_ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &mut
         for tool in [ImageTool::Eraser, ImageTool::Cut, ImageTool::Keep] {
             let [name, what] = tool_words(tool);
             let in_hand = state.image_tool == Some(tool);
-            let button = egui::Button::selectable(in_hand, name);
+            let button = egui::Button::new(name).selected(in_hand);
             if ui.add(button).on_hover_text(what).clicked() {
                 commands.push(ImportCommand::UseTool(Some(tool)).into());
             }

@@ -13,6 +13,8 @@ use crate::ui::controls::{empty_pane_ui, focus_ring};
 use crate::ui::style::{medium, note, title_font};
 use crate::ui::theme::{colours, line, space};
 
+/// With so much room the button on says whereto.
+const WIDE: f32 = 180.0;
 /// Height of the strip with the buttons.
 const FOOTER: f32 = 40.0;
 
@@ -175,7 +177,11 @@ fn footer_ui(ui: &mut Ui, cx: &PaneContext<'_>, current: &Current, commands: &mu
         };
         let colours = colours(ui);
         let name = step_name(next, current.settings.road).to_lowercase();
-        let text = egui::RichText::new(format!("Continue to {name}")).color(colours.on_accent);
+        let words = match ui.available_width() > WIDE {
+            true => format!("Continue to {name}"),
+            false => "Continue".to_owned(),
+        };
+        let text = egui::RichText::new(words).color(colours.on_accent);
         if ui
             .add(egui::Button::new(text).fill(colours.accent))
             .clicked()
