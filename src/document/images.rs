@@ -151,3 +151,96 @@ pub fn image_timing(series: &ImageSeries) -> CycleTiming {
         rr: cycle_ms.map(|ms| Seconds(1e-3 * ms)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::document::{OpeningReport, StudyRef};
+    use crate::document::testing::{study_of, subject_with_frames};
+    use crate::image::Image;
+    use crate::io::Provenance;
+    use crate::mesh::Vector3;
+    use crate::study::{Study, Subject};
+
+    fn series(instants: usize) -> Arc<ImageSeries> {
+        let steps = [2.0, 2.0, 5.0];
+        let steps = [0, 1, 2].map(|axis| Vector3::ith(axis, steps[axis]));
+        let frame = VolumeFrame::new([3, 4, 5], Point3::origin(), steps).unwrap();
+        let volumes = vec![vec![0.5_f32; 60].into(); instants];
+        Arc::new(ImageSeries {
+            name: "made".to_owned(),
+            format: "NIfTI-1",
+            modality: None,
+            image: Image::new(frame, volumes, None).unwrap(),
+            gates: None,
+            spacing: Provenance::Missing,
+            times: Provenance::Missing,
+            position_known: false,
+            notices: Vec::new(),
+        })
+    }
+
+    fn document(subjects: Vec<Subject>, ids: &[&str]) -> Document {
+        let images = ids.iter().map(|id| OpenedImages {
+            id: (*id).to_owned(),
+            series: vec![series(10)],
+            notices: Vec::new(),
+            made: None,
+        });
+        let report = OpeningReport {
+            images: Arc::new(images.collect()),
+            ..OpeningReport::default()
+        };
+        let study: Arc<Study> = study_of(subjects);
+        let mut document = Document::new(StudyRef {
+            listing: study.revision,
+            study,
+            opening: 1,
+            report: Arc::new(report),
+        });
+        document.show_images_of_selected();
+        document
+    }
+
+    #[test]
+    fn images_without_a_subject_are_shown_and_their_instants_are_the_frames() {
+        let mut document = document(Vec::new(), &["a", "b"]);
+        assert_eq!(document.shown_images().unwrap().id, "a");
+        assert_eq!(document.frame_count(), 10);
+        document.move_to(7.4);
+        assert_eq!(document.instant(), 7);
+        document.show_images(1);
+        assert_eq!(document.shown_images().unwrap().id, "b");
+    }
+
+    #[test]
+    fn a_subject_brings_its_images_and_images_their_subject() {
+        let subjects = ["n", "b"].map(|id| subject_with_frames(id, 5));
+        let mut document = document(subjects.into(), &["a", "b"]);
+        assert!(document.shown_images().is_none(), "there are none of n");
+        document.select_subject(1);
+        assert_eq!(document.shown_images().unwrap().id, "b");
+        // Five frames over ten instants: every other one.
+        document.move_to(3.0);
+        assert_eq!(document.instant(), 6);
+        document.select_subject(0);
+        document.show_images(1);
+        assert_eq!(document.selected().unwrap().id, "b");
+    }
+
+    #[test]
+    fn typed_distances_place_the_voxels() {
+        let mut document = document(Vec::new(), &["a"]);
+        assert!(!document.images_are_measured());
+        let settings = crate::analysis::preparation::Preparation {
+            spacing_mm: Some([1.0, 1.5, 8.0]),
+            ..Default::default()
+        };
+        document.import.settings.insert(0, Arc::new(settings));
+        let frame = document.image_frame().unwrap();
+        assert!(document.images_are_measured());
+        assert!((frame.spacing()[2] - 8.0).abs() < 1e-12);
+        let middle = document.crosshair().unwrap();
+        assert!((middle - Point3::new(1.0, 2.25, 16.0)).norm() < 1e-12);
+    }
+}
