@@ -1,4 +1,5 @@
 //! Phantoms of circles in slices: known areas, known muscle, and what is refused.
+#![allow(clippy::unwrap_used)] // A test that fails here says so.
 
 use std::f64::consts::{PI, TAU};
 
