@@ -5,7 +5,9 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::analysis::walls_from_masks::Masks;
-use crate::image::{Border, Image, MarkedPoints, Sampler, VolumeEdit, blurred_image, edited};
+use crate::image::{
+    Border, Image, MarkedPoints, Sampler, VolumeEdit, VolumeFrame, blurred_image, edited,
+};
 use crate::progress::Progress;
 use crate::study::Notice;
 
@@ -137,11 +139,24 @@ fn prepared(
     let volumes = blurred.volumes().par_iter().map(|values| {
         progress.check()?;
         let greatest = greatest(values).ok_or(SpectError::NoCounts)?;
-        let edited = edited(values, frame, edits, params.threshold * greatest)?;
+        let mut edited = edited(values, frame, edits, params.threshold * greatest)?;
+        forget_erased(&mut edited, frame, edits);
         Ok(Arc::from(edited))
     });
     let volumes = volumes.collect::<Result<Vec<Arc<[f32]>>, SpectError>>()?;
     Ok(Image::new(*frame, volumes, None)?)
+}
+
+/// Makes what is erased by position unknown (NaN): the hole in a liver must not look like a cavity.
+fn forget_erased(values: &mut [f32], frame: &VolumeFrame, edits: &[VolumeEdit]) {
+    let [nx, ny, _] = frame.size();
+    for (voxel, value) in values.iter_mut().enumerate() {
+        let place = [voxel % nx, voxel / nx % ny, voxel / nx / ny].map(|n| n as f64);
+        let position = frame.position(place.into());
+        if edits.iter().any(|edit| edit.erases(position)) {
+            *value = f32::NAN;
+        }
+    }
 }
 
 /// The greatest counts, if there are any above 0 and others below them.
@@ -220,7 +235,7 @@ fn about_valve(planes: &[ValvePlane]) -> Notice {
             "the plane of the valve was found where the counts of the wall fall towards the base, at each instant",
         ),
         _ => Notice::warning(format!(
-            "at {ended} of {} instants the counts of the wall do not fall before the image ends: the ventricle is cut there",
+            "at {ended} of {} instants the counts of the wall do not fall before the image or what an edit left of it ends: the ventricle is cut there",
             planes.len()
         )),
     }

@@ -22,10 +22,10 @@ fn a_liver_that_outshines_the_heart_is_taken_away_by_a_plane_or_a_sphere() {
     let (study, truth) = study(0, &scene);
     let sphere = VolumeEdit::SphereEraser {
         centre: study.liver_centre,
-        radius_mm: study.liver_radius_mm + 2.0,
+        radius_mm: study.liver_radius_mm + 7.0,
     };
     let plane = VolumeEdit::CutPlane {
-        point: study.liver_centre - Vector3::y() * (study.liver_radius_mm + 2.0),
+        point: study.liver_centre - Vector3::y() * (study.liver_radius_mm + 4.0),
         normal: Vector3::y(),
     };
     for edit in [sphere, plane] {
