@@ -81,6 +81,7 @@ fn marked_ends_of_the_axis_give_the_heart_that_is_found_without() {
     let params = CheckedSpectParams::default();
     let marked = segment_spect(&study.image, &points, &[], &params, &Progress::default()).unwrap();
     assert_eq!(marked.points.base, Some(base));
+    assert!(alone.points.base.is_some());
     let found = ejection_fraction(&marked.masks);
     assert!((found - truth).abs() < 0.04, "{found} {truth}");
 }
