@@ -64,7 +64,7 @@ impl SliceBeat {
                 Ok(tidied(&endocardium(
                     polar,
                     &tones,
-                    params.endocardium,
+                    (params.endocardium, params.max_radius_mm),
                     &pulls,
                 )))
             };

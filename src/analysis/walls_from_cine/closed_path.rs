@@ -3,7 +3,7 @@
 use super::polar::{RAYS, STEP_MM};
 
 /// Greatest change from a ray to the next, in samples.
-const MAX_STEP: usize = 4;
+const MAX_STEP: usize = 3;
 
 /// Costs of passing each sample of each ray.
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ impl Costs {
     }
 
     /// The closed path of which Σ cost + bending Σ (Δr)² is least, as radii in millimetres. `bending` is per mm²; radii change
-    /// by at most 2 mm from a ray to the next.
+    /// by at most 1.5 mm from a ray to the next.
     ///
     /// Two turns without a bound give the sample where the path passes the first ray in the middle of them; a third turn
     /// begins and ends there. It is the least closed path through that sample.

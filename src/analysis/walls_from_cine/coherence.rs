@@ -43,7 +43,7 @@ pub(super) fn settle_endocardium(
                 Ok(tidied(&endocardium(
                     polar,
                     tones,
-                    params.endocardium,
+                    (params.endocardium, params.max_radius_mm),
                     &pulls,
                 )))
             };
