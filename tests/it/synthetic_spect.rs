@@ -16,7 +16,11 @@ fn a_synthetic_study_has_eight_gates_a_bright_wall_and_a_dark_cavity() {
     let cohort = cohort(&BuiltInParams::default()).unwrap();
     let subject = &cohort.study.subjects[0];
     let scene = Scene::default();
-    let Study { image, .. } = gated_spect(&subject.sequence, &scene);
+    let Study {
+        image,
+        liver_centre,
+        liver_radius_mm,
+    } = gated_spect(&subject.sequence, &scene);
     assert_eq!(image.volumes().len(), 8);
     let endo = subject.sequence.surfaces()[0].frames()[0].vertices();
     let epi = subject.sequence.surfaces()[1].frames()[0].vertices();
@@ -31,5 +35,7 @@ fn a_synthetic_study_has_eight_gates_a_bright_wall_and_a_dark_cavity() {
         .zip(epi)
         .map(|(a, b)| nalgebra::center(a, b))
         .collect();
+    let liver = sampler.at(liver_centre + Vector3::x() * (0.5 * liver_radius_mm));
+    assert!(liver.unwrap() > mean(&wall));
     assert!(mean(&wall) > 2.0 * sampler.at(middle).unwrap());
 }
