@@ -85,3 +85,39 @@ fn marked_ends_of_the_axis_give_the_heart_that_is_found_without() {
     let found = ejection_fraction(&marked.masks);
     assert!((found - truth).abs() < 0.04, "{found} {truth}");
 }
+
+/// Planes through a long axis, as programs for gated SPECT store them: the axis along i, the radius along j, the turn along k.
+fn turned(image: &Image, apex: Point3, frame: &VolumeFrame) -> Image {
+    let [x, y, up] = frame.directions();
+    let (size, step) = ([32, 32, 32], 3.3);
+    let at = |values: &[f32], voxel: usize| {
+        let [row, column, plane] = [voxel % 32, voxel / 32 % 32, voxel / 1024].map(|n| n as f64);
+        let (sin, cos) = (std::f64::consts::PI * plane / 32.0).sin_cos();
+        let across = (x * cos + y * sin) * (column - 16.0) * step;
+        let sampler = Sampler::new(image.frame(), values).unwrap();
+        let counts = sampler.at(apex + across + up * ((row - 5.0) * step));
+        counts.unwrap_or(0.0) as f32
+    };
+    let volumes = image.volumes().iter();
+    let volumes = volumes.map(|values| (0..32 * 32 * 32).map(|voxel| at(values, voxel)).collect());
+    let steps = [0, 1, 2].map(|axis| Vector3::ith(axis, step));
+    let frame = VolumeFrame::new(size, Point3::new(5.0, 6.0, 7.0), steps).unwrap();
+    Image::new(frame, volumes.collect(), None).unwrap()
+}
+
+#[test]
+fn planes_through_the_long_axis_are_recognised_and_give_the_same_heart() {
+    let (study, _) = study(0, &Scene::default());
+    let volume = segmented(&study.image, &[]).unwrap();
+    let apex = volume.points.apex.unwrap();
+    let planes = turned(&study.image, apex, volume.masks.frame());
+    let planes = segmented(&planes, &[]).unwrap();
+    assert!(planes.notices[0].text.starts_with("the image is planes"));
+    assert!(!volume.notices[0].text.starts_with("the image is planes"));
+    // The axis is where the middle of the first plane is stored: along i, at j = 16 and k = 0.
+    let expected = Point3::new(5.0 + 5.0 * 3.3, 6.0 + 16.0 * 3.3, 7.0);
+    let away = planes.points.apex.unwrap() - expected;
+    assert!(away.norm() < 6.0, "{away}");
+    let [planes, volume] = [planes, volume].map(|found| ejection_fraction(&found.masks));
+    assert!((planes - volume).abs() < 0.03, "{planes} {volume}");
+}

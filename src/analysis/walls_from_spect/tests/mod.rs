@@ -17,7 +17,7 @@ use super::{CheckedSpectParams, SpectError, SpectSegmentation, segment_spect};
 use synthetic::{Scene, Study, gated_spect};
 
 use crate::analysis::walls_from_masks::{Masks, Tissue};
-use crate::image::{MarkedPoints, VolumeEdit};
+use crate::image::{MarkedPoints, Sampler, VolumeEdit};
 
 fn built_in() -> &'static BuiltInCohort {
     static COHORT: OnceLock<BuiltInCohort> = OnceLock::new();
