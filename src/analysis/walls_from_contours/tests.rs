@@ -89,6 +89,17 @@ fn masks_have_the_areas_of_their_outlines() {
 }
 
 #[test]
+fn small_outlines_have_their_areas_too() {
+    let frame = tilted();
+    // Six pixels of the image.
+    let contour = circle(&frame, (0, Endocardium), 3, [50.3, 44.6], 2.0);
+    let masks = masks_of_contours(&frame, 1, &[contour]).unwrap();
+    let expected = PI * 4.0 * STEP_MM / 1000.0;
+    let found = volume_ml(&masks, 0, Tissue::Cavity);
+    assert!((found / expected - 1.0).abs() < 0.003, "{found} {expected}");
+}
+
+#[test]
 fn what_is_drawn_later_does_not_cover_what_lies_within() {
     let frame = tilted();
     let mut contours = beat(&frame);
