@@ -17,6 +17,9 @@ const MIN_COSINE: f64 = 0.3;
 /// Least quality 4√3 A / Σ l² (1 for equal sides) of a new face, unless the old were as bad.
 const MIN_QUALITY: f64 = 0.25;
 
+/// Faces around a vertex, up to which no two of its neighbours may be joined: two faces would be folded onto each other.
+const FEW: usize = 3;
+
 /// A collapse of `vertex` into `into`, as good as it was when `version` was the vertex's.
 struct Candidate {
     cost: f64,
@@ -69,6 +72,8 @@ pub(super) struct Collapsing<'a> {
     /// Whether it is kept where removed vertices lie.
     places: bool,
     version: Vec<u32>,
+    /// The other end of each vertex's best collapse, or no vertex.
+    best_into: Vec<u32>,
     queue: BinaryHeap<Candidate>,
 }
 
@@ -102,10 +107,14 @@ impl<'a> Collapsing<'a> {
             place: vec![(0, [0.0; 3]); count],
             places,
             version: vec![0; count],
+            best_into: vec![u32::MAX; count],
             queue: BinaryHeap::new(),
         };
         let vertices = (0..count as u32).into_par_iter();
         let offers: Vec<Candidate> = vertices.filter_map(|v| state.best(v)).collect();
+        for offer in &offers {
+            state.best_into[offer.vertex as usize] = offer.into;
+        }
         state.queue = offers.into();
         state
     }
@@ -152,6 +161,7 @@ impl<'a> Collapsing<'a> {
     fn offer(&mut self, vertex: u32) {
         self.version[vertex as usize] += 1;
         let best = self.best(vertex);
+        self.best_into[vertex as usize] = best.as_ref().map_or(u32::MAX, |best| best.into);
         self.queue.extend(best);
     }
 
@@ -230,7 +240,8 @@ impl<'a> Collapsing<'a> {
             return None;
         }
         // A vertex that two faces are left of would fold them onto each other.
-        let folds = |&v: &u32| !self.on_boundary[v as usize] && self.around[v as usize].len() <= 3;
+        let folds =
+            |&v: &u32| !self.on_boundary[v as usize] && self.around[v as usize].len() <= FEW;
         if common[..count].iter().any(folds) {
             return None;
         }
@@ -259,6 +270,7 @@ impl<'a> Collapsing<'a> {
 
     fn collapse(&mut self, vertex: u32, into: u32) {
         let ring = self.neighbours(vertex);
+        let few_before = self.around[into as usize].len() <= FEW;
         let mut homeless = vec![vertex];
         let mut homes = Vec::new();
         for face in std::mem::take(&mut self.around[vertex as usize]) {
@@ -279,8 +291,13 @@ impl<'a> Collapsing<'a> {
         if self.places {
             self.house(&homeless, &homes);
         }
-        let mut touched = ring;
-        touched.extend(self.neighbours(into));
+        let few = |&v: &u32| self.around[v as usize].len() <= FEW;
+        let all = few_before || ring.iter().any(few);
+        // Beside the ring only the link of `into` grew: collapses into it may be off, others are as good as before.
+        let beside = self.neighbours(into).into_iter();
+        let lapsed = |&v: &u32| all || self.best_into[v as usize] == into;
+        let mut touched: Vec<u32> = beside.filter(lapsed).collect();
+        touched.extend(ring);
         touched.sort_unstable();
         touched.dedup();
         for v in touched {
