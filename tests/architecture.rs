@@ -80,6 +80,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("surface_extraction", &[]),
     ("registration", &["alignment"]),
     ("measures", &[]),
+    ("correspondence", &["registration", "measures"]),
     ("medial", &["measures"]),
     ("medial_space", &["medial"]),
     ("segments", &["measures"]),

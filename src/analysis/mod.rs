@@ -2,6 +2,7 @@
 
 pub mod alignment;
 pub mod classification;
+pub mod correspondence;
 pub mod deformations;
 pub mod embedding;
 pub mod experiments;

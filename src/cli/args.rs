@@ -72,7 +72,7 @@ pub enum Command {
     Metric(MetricArgs),
     /// Computes interpolated (geodesic) poses between two meshes in correspondence
     Interpolate(InterpolateArgs),
-    /// Moves one mesh onto another: rigid motion, similarity, iterated closest points, thin-plate spline
+    /// Moves one mesh onto another, or lays a template onto all frames of a study whose vertices do not correspond
     Register(RegisterArgs),
     /// Transports the motion of one subject onto another (parallel transport)
     Transfer(TransferArgs),

@@ -3,9 +3,9 @@
 use serde_json::json;
 
 use crate::cli::args::InfoArgs;
-use crate::cli::input::opened;
+use crate::cli::input::{nothing_found, opened, without_walls};
 use crate::cli::outcome::CliError;
-use crate::cli::print::{print, print_json};
+use crate::cli::print::{on_one_line, print, print_json};
 use crate::io::Opened;
 use crate::study::{Notice, Severity, Subject};
 
@@ -17,7 +17,7 @@ pub(super) fn info(args: &InfoArgs) -> Result<(), CliError> {
         print(&as_text(&opened))?;
     }
     match (opened.errors.len(), opened.study.subjects.len()) {
-        (0, 0) => Err(CliError::Unusable("no meshes were found".to_owned())),
+        (0, 0) => Err(CliError::Unusable(nothing_found(&opened).to_owned())),
         (0, _) => Ok(()),
         (1, _) => Err(CliError::Unusable("1 input is unusable".to_owned())),
         (count, _) => Err(CliError::Unusable(format!("{count} inputs are unusable"))),
@@ -42,8 +42,15 @@ fn as_json(opened: &Opened) -> serde_json::Value {
         })
         .collect();
     let errors: Vec<String> = opened.errors.iter().map(ToString::to_string).collect();
+    let images = without_walls(opened).map(|images| {
+        json!({
+            "id": images.id,
+            "notices": notices(&images.notices),
+        })
+    });
     json!({
         "subjects": subjects,
+        "images_without_walls": images.collect::<Vec<_>>(),
         "errors": errors,
         "notices": notices(&opened.notices),
     })
@@ -90,6 +97,12 @@ fn as_text(opened: &Opened) -> String {
                 .iter()
                 .map(|notice| format!("  {notice}")),
         );
+    }
+    for images in without_walls(opened) {
+        let id = on_one_line(&images.id);
+        lines.push(format!("{id}: images without walls"));
+        let notices = notices(&images.notices);
+        lines.extend(notices.iter().map(|notice| format!("  {notice}")));
     }
     lines.extend(opened.errors.iter().map(|error| format!("error: {error}")));
     lines.join("\n")

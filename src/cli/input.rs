@@ -11,7 +11,7 @@ use crate::cli::work::run_work;
 use crate::engine::{
     Interrupted, MeasuresQuery, OpenSource, Query, Store, StoreOptions, open, reading_limits,
 };
-use crate::io::Opened;
+use crate::io::{Opened, OpenedImages};
 use crate::progress::Stopped;
 use crate::study::{Severity, Study};
 use crate::units::LengthUnit;
@@ -30,25 +30,35 @@ pub(super) fn opened_study(paths: &[PathBuf]) -> Result<Arc<Study>, CliError> {
     for notice in odd {
         say(&format!("cardiomorph: warning: {}", notice.text));
     }
-    // Images that gave no walls say what they need.
-    let images = opened.images.iter().filter(|images| images.made.is_none());
-    for (id, notice) in images.flat_map(|images| images.notices.iter().map(|n| (&images.id, n))) {
-        if notice.severity == Severity::Warning {
+    for images in without_walls(&opened) {
+        for notice in &images.notices {
             say(&format!(
                 "cardiomorph: {}: {}",
-                on_one_line(id),
+                on_one_line(&images.id),
                 notice.text
             ));
         }
     }
     if opened.study.subjects.is_empty() {
         return Err(CliError::Unusable(match opened.errors.len() {
-            0 if opened.images.is_empty() => "no meshes were found".to_owned(),
-            0 => "no walls could be made of the images".to_owned(),
+            0 => nothing_found(&opened).to_owned(),
             _ => "nothing could be opened".to_owned(),
         }));
     }
     Ok(Arc::new(opened.study))
+}
+
+/// Images that gave no walls; their notices say what they need.
+pub(super) fn without_walls(opened: &Opened) -> impl Iterator<Item = &OpenedImages> {
+    opened.images.iter().filter(|images| images.made.is_none())
+}
+
+/// What is said where nothing is wrong, and there is no subject.
+pub(super) fn nothing_found(opened: &Opened) -> &'static str {
+    match opened.images.is_empty() {
+        true => "no meshes were found",
+        false => "no walls could be made of the images",
+    }
 }
 
 /// The study with the unit of length that the command line states, for all subjects.

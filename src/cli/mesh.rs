@@ -40,7 +40,13 @@ pub(super) fn mesh(args: &MeshArgs) -> Result<(), CliError> {
     }
     let unusable = made.opened.errors.len() + made.asked.len();
     if made.opened.study.subjects.is_empty() {
-        for notice in made.opened.images.iter().flat_map(|images| &images.notices) {
+        let is_asked = |id: &str| made.asked.iter().any(|(asked, _)| asked == id);
+        let others = made
+            .opened
+            .images
+            .iter()
+            .filter(|images| !is_asked(&images.id));
+        for notice in others.flat_map(|images| &images.notices) {
             say(&format!("cardiomorph: {}", notice.text));
         }
         return Err(CliError::Unusable(match unusable {

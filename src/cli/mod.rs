@@ -32,6 +32,7 @@ mod outcome;
 mod patch_options;
 mod print;
 mod register;
+mod register_study;
 mod run;
 mod runtime_folder;
 mod tables;

@@ -1,6 +1,6 @@
-//! `register`: one mesh laid onto another.
+//! `register`: one mesh laid onto another, or a template onto all frames of a study.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
@@ -14,6 +14,7 @@ use crate::cli::corresponding::read;
 use crate::cli::landmarks::{LandmarkPairs, read_landmarks};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
+use crate::cli::register_study::register_study;
 use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
 use crate::io::write_ply;
@@ -22,25 +23,45 @@ use crate::mesh::{ClosestPoint, FaceOrder, Point3, TriMesh};
 /// Options of `register`.
 #[derive(Debug, Args)]
 pub struct RegisterArgs {
-    /// The mesh that is moved
+    /// The mesh that is moved; with --template the study, folder or files that get the template's vertices
     pub a: PathBuf,
-    /// The mesh that it is moved onto
-    pub b: PathBuf,
+    /// The mesh that it is moved onto; none with --template
+    #[arg(required_unless_present = "template", conflicts_with = "template")]
+    pub b: Option<PathBuf>,
     /// How A is moved
-    #[arg(long, value_enum)]
-    pub method: RegisterMethod,
+    #[arg(
+        long,
+        value_enum,
+        required_unless_present = "template",
+        conflicts_with = "template"
+    )]
+    pub method: Option<RegisterMethod>,
+    /// Lays one mesh onto all frames of all subjects of A, so that their vertices correspond: a mesh file or study with
+    /// endocardium, epicardium or both, open at the base, of which the first subject is taken; or the word built-in
+    #[arg(long, value_name = "FILE|built-in")]
+    pub template: Option<PathBuf>,
     /// CSV of corresponding landmarks, one pair a row: ax,ay,az,bx,by,bz, with a header of these names or without.
     /// Without the file rigid and similarity take all vertices of meshes with the same faces
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "template")]
     pub landmarks: Option<PathBuf>,
     /// Smoothing of tps, in the unit of the coordinates; 0: landmarks are met exactly [default: 0]
-    #[arg(long, value_name = "L", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "L",
+        allow_negative_numbers = true,
+        conflicts_with = "template"
+    )]
     pub smoothing: Option<f64>,
     /// Share of the vertices of A that icp aligns, those closest to B [default: 1]
-    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "SHARE",
+        allow_negative_numbers = true,
+        conflicts_with = "template"
+    )]
     pub kept: Option<f64>,
-    /// PLY file to write: A after the motion
-    #[arg(long, value_name = "FILE")]
+    /// PLY file to write: A after the motion; with --template the folder of the study that is made
+    #[arg(long, value_name = "FILE|DIR")]
     pub out: PathBuf,
     /// Print one JSON object
     #[arg(long)]
@@ -61,17 +82,36 @@ pub enum RegisterMethod {
 }
 
 pub(super) fn register(args: &RegisterArgs) -> Result<(), CliError> {
-    let method = checked(args)?;
+    match (&args.template, &args.b, args.method) {
+        (Some(template), ..) => register_study(&args.a, template, &args.out, args.json),
+        (None, Some(b), Some(method)) => register_pair(&Pair { b, method, args }),
+        // Refused by the parser already.
+        _ => Err(CliError::Usage(
+            "register needs two meshes and --method, or a study and --template".to_owned(),
+        )),
+    }
+}
+
+/// The options of two meshes.
+struct Pair<'a> {
+    b: &'a Path,
+    method: RegisterMethod,
+    args: &'a RegisterArgs,
+}
+
+fn register_pair(pair: &Pair) -> Result<(), CliError> {
+    let args = pair.args;
+    let method = checked(pair)?;
     let landmarks = (args.landmarks.as_deref())
         .map(read_landmarks)
         .transpose()?;
-    let (a, b) = (read(&args.a)?, read(&args.b)?);
+    let (a, b) = (read(&args.a)?, read(pair.b)?);
     let surface = ClosestPoint::new(b.vertices(), b.triangles()).ok_or_else(|| {
-        CliError::Unusable(format!("has no faces to register to: {}", args.b.display()))
+        CliError::Unusable(format!("has no faces to register to: {}", pair.b.display()))
     })?;
-    let pairs = match (landmarks, args.method) {
+    let pairs = match (landmarks, pair.method) {
         (None, RegisterMethod::Rigid | RegisterMethod::Similarity) => {
-            Some(vertex_pairs(&a, &b, args)?)
+            Some(vertex_pairs(&a, &b, pair)?)
         }
         (landmarks, _) => landmarks,
     };
@@ -107,7 +147,7 @@ pub(super) fn register(args: &RegisterArgs) -> Result<(), CliError> {
         bytes: bytes.into(),
     };
     write_files(vec![file]).map_err(CliError::Unusable)?;
-    report(&registered, landmark_count, args)
+    report(&registered, landmark_count, pair)
 }
 
 /// A method with its checked settings.
@@ -118,23 +158,24 @@ enum Method {
 }
 
 /// Settings that the method has, in their ranges.
-fn checked(args: &RegisterArgs) -> Result<Method, CliError> {
+fn checked(pair: &Pair) -> Result<Method, CliError> {
+    let args = pair.args;
     let wrong = |what: &str| Err(CliError::Usage(what.to_owned()));
-    if args.smoothing.is_some() && args.method != RegisterMethod::Tps {
+    if args.smoothing.is_some() && pair.method != RegisterMethod::Tps {
         return wrong("--smoothing is for --method tps");
     }
-    if args.kept.is_some() && args.method != RegisterMethod::Icp {
+    if args.kept.is_some() && pair.method != RegisterMethod::Icp {
         return wrong("--kept is for --method icp");
     }
-    if args.landmarks.is_none() && args.method == RegisterMethod::Tps {
+    if args.landmarks.is_none() && pair.method == RegisterMethod::Tps {
         return wrong("--method tps needs --landmarks");
     }
     let smoothing = args.smoothing.unwrap_or(0.0);
     if !(smoothing.is_finite() && smoothing >= 0.0) {
         return wrong("--smoothing is a finite number of at least 0");
     }
-    if args.method != RegisterMethod::Icp {
-        return Ok(Method::Closed(args.method, smoothing));
+    if pair.method != RegisterMethod::Icp {
+        return Ok(Method::Closed(pair.method, smoothing));
     }
     let default = IcpParams::default();
     let params = IcpParams {
@@ -148,12 +189,12 @@ fn checked(args: &RegisterArgs) -> Result<Method, CliError> {
 }
 
 /// The vertices of meshes with the same faces.
-fn vertex_pairs(a: &TriMesh, b: &TriMesh, args: &RegisterArgs) -> Result<LandmarkPairs, CliError> {
+fn vertex_pairs(a: &TriMesh, b: &TriMesh, pair: &Pair) -> Result<LandmarkPairs, CliError> {
     if FaceOrder::of(a.faces(), b.faces()) == FaceOrder::Different {
         return Err(CliError::Usage(format!(
             "the vertices of {} and {} do not correspond: --landmarks says what does, --method icp needs no correspondence",
-            args.a.display(),
-            args.b.display()
+            pair.args.a.display(),
+            pair.b.display()
         )));
     }
     Ok(LandmarkPairs {
@@ -228,11 +269,8 @@ impl Found {
     }
 }
 
-fn report(
-    registered: &Registered,
-    landmarks: Option<usize>,
-    args: &RegisterArgs,
-) -> Result<(), CliError> {
+fn report(registered: &Registered, landmarks: Option<usize>, pair: &Pair) -> Result<(), CliError> {
+    let args = pair.args;
     let Registered {
         found,
         fit,
@@ -246,7 +284,7 @@ fn report(
         "rotation"
     };
     if args.json {
-        let word = args.method.to_possible_value();
+        let word = pair.method.to_possible_value();
         let mut object = Map::new();
         let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
         put(

@@ -24,6 +24,7 @@ mod preparation_file;
 mod private_file;
 mod queries;
 mod reading_limits;
+mod registered_walls;
 mod result_folder;
 mod stages;
 mod store;
@@ -50,6 +51,9 @@ pub use preparation_file::{preparation_file, read_preparations};
 pub use private_file::make_private;
 pub use queries::*;
 pub use reading_limits::{configure_limits, reading_limits};
+pub use registered_walls::{
+    RegisterSettings, RegisteredWalls, TemplateError, TemplateSource, read_template, registered_walls,
+};
 pub use result_folder::{ResultFolder, replace_results};
 pub use stages::Stage;
 pub use store::{

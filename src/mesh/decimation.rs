@@ -30,23 +30,29 @@ impl Decimation {
         points: &[Point3],
         faces: &Faces,
         max_vertices: usize,
-        mut go_on: impl FnMut() -> bool,
+        go_on: impl FnMut() -> bool,
     ) -> Option<Self> {
-        let mut state = Collapsing::new(points, faces);
-        let mut left = faces.vertex_count();
-        while left > max_vertices && state.collapse_cheapest() {
-            left -= 1;
-            if left.is_multiple_of(64) && !go_on() {
-                return None;
-            }
-        }
-        let (kept, triangles, supports) = state.finished();
+        let (kept, triangles, supports) =
+            collapsed(points, faces, max_vertices, true, go_on)?.finished();
         let faces = Faces::new(kept.len(), triangles).ok()?;
         Some(Self {
             kept,
             faces,
             supports,
         })
+    }
+
+    /// The kept vertices and the faces over them that [`Self::new`] finds, without the way back, in half the time.
+    pub fn one_way(
+        points: &[Point3],
+        faces: &Faces,
+        max_vertices: usize,
+        go_on: impl FnMut() -> bool,
+    ) -> Option<(Vec<u32>, Faces)> {
+        let state = collapsed(points, faces, max_vertices, false, go_on)?;
+        let (kept, triangles, _) = state.finished();
+        let faces = Faces::new(kept.len(), triangles).ok()?;
+        Some((kept, faces))
     }
 
     /// Connectivity of the coarse mesh.
@@ -75,6 +81,25 @@ impl Decimation {
         }
         fine
     }
+}
+
+/// The mesh after as many collapses as are needed; `None` if `go_on` says no.
+fn collapsed<'a>(
+    points: &'a [Point3],
+    faces: &Faces,
+    max_vertices: usize,
+    places: bool,
+    mut go_on: impl FnMut() -> bool,
+) -> Option<Collapsing<'a>> {
+    let mut state = Collapsing::new(points, faces, places);
+    let mut left = faces.vertex_count();
+    while left > max_vertices && state.collapse_cheapest() {
+        left -= 1;
+        if left.is_multiple_of(64) && !go_on() {
+            return None;
+        }
+    }
+    Some(state)
 }
 
 #[cfg(test)]
@@ -189,6 +214,15 @@ mod tests {
         let ball = phantom::sphere(2, 1.0);
         let squeezed = vec![Point3::origin(); 162];
         assert!(Decimation::new(&squeezed, ball.faces(), 20, || true).is_some());
+    }
+
+    #[test]
+    fn without_the_way_back_the_coarse_mesh_is_the_same() {
+        let torus = phantom::torus(2.0, 0.7, 60, 30);
+        let both = decimated(&torus, 300);
+        let one = Decimation::one_way(torus.vertices(), torus.faces(), 300, || true).unwrap();
+        assert_eq!((one.0.as_slice(), &one.1), (both.kept(), both.faces()));
+        assert!(Decimation::one_way(torus.vertices(), torus.faces(), 300, || false).is_none());
     }
 
     #[test]

@@ -26,6 +26,8 @@ mod refusals;
 #[cfg(test)]
 mod register;
 #[cfg(test)]
+mod register_study;
+#[cfg(test)]
 mod shape_space;
 #[cfg(test)]
 mod walls;

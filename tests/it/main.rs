@@ -49,6 +49,8 @@ mod real_patches;
 #[cfg(test)]
 mod real_paths;
 #[cfg(test)]
+mod real_spect;
+#[cfg(test)]
 mod real_thickness;
 #[cfg(test)]
 mod real_verdicts;
@@ -60,5 +62,7 @@ mod robustness;
 mod screenshots;
 #[cfg(test)]
 mod shared;
+#[cfg(test)]
+mod synthetic_spect;
 #[cfg(test)]
 mod window;

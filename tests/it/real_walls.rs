@@ -48,6 +48,33 @@ fn volumes(walls: &MaskWalls) -> Volumes<'_> {
     not(shared_data),
     ignore = "needs the folder shared beside the checkout"
 )]
+fn what_all_files_of_acdc_say_is_said_once() {
+    let (walls, _) = acdc();
+    let said: Vec<&str> = walls
+        .notices
+        .iter()
+        .map(|notice| notice.text.as_str())
+        .collect();
+    assert_eq!(said.len(), 3, "{said:?}");
+    let sform = "100 of 100 subjects: the sform holds directions without steps: distances between voxels are those of pixdim";
+    assert!(said.iter().any(|text| text.starts_with(sform)), "{said:?}");
+    let of_subjects = walls
+        .study
+        .subjects
+        .iter()
+        .flat_map(|subject| &subject.notices);
+    assert!(
+        of_subjects
+            .into_iter()
+            .all(|notice| !notice.text.contains("sform"))
+    );
+}
+
+#[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn volumes_and_masses_of_acdc_are_those_of_the_masks() {
     let (walls, seconds) = acdc();
     assert!(walls.errors.is_empty(), "{:?}", walls.errors);

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::analysis::registration::ThinPlateSpline;
 use crate::mesh::{
-    CappedSheet, Faces, Point3, Sheet, Vector3, bounding_box, vertex_areas, vertex_normals,
+    CappedSheet, Faces, Point3, Sheet, Vector3, mean_point, vertex_areas, vertex_normals,
 };
 use crate::progress::Progress;
 
@@ -79,7 +79,7 @@ impl Carrier {
         normals.map(|normal| self.outward * normal).collect()
     }
 
-    /// The points brought onto a target: `smoothing` is that of the spline, as a share of the target's diagonal.
+    /// The points brought onto a target: `smoothing` is that of the spline, as a share of the target's size.
     pub fn carry(
         &self,
         points: &[Point3],
@@ -88,7 +88,7 @@ impl Carrier {
         smoothing: f64,
         progress: &Progress,
     ) -> Result<Vec<Point3>, TargetError> {
-        let lambda = smoothing * diagonal(target.vertices());
+        let lambda = smoothing * size(target.vertices());
         let spline = ThinPlateSpline::new(&from.points, &onto.points, lambda);
         let spline = spline.map_err(|error| TargetError::Landmarks(error.to_string()))?;
         let mut points = spline.apply_all(points);
@@ -213,9 +213,12 @@ impl Carrier {
     }
 }
 
-/// The diagonal of the box around points.
-pub(super) fn diagonal(points: &[Point3]) -> f64 {
-    bounding_box(points).map_or(0.0, |[low, high]| (high - low).norm())
+/// Twice the greatest distance of points from their mean, which does not change when they are turned.
+pub(super) fn size(points: &[Point3]) -> f64 {
+    let centre = mean_point(points.iter().copied());
+    2.0 * points
+        .iter()
+        .fold(0.0_f64, |most, p| most.max((p - centre).norm()))
 }
 
 /// The nearest place of a closed chain.

@@ -2,8 +2,8 @@
 
 use super::CorrespondenceError;
 
-/// Settings of [`correspond`](super::correspond). Lengths are shares of the diagonal of a surface's box, so that they hold
-/// in any unit; it is some 110 mm of a usual endocardium.
+/// Settings of [`correspond`](super::correspond). Lengths are shares of a surface's size, so that they hold in any unit: twice
+/// the greatest distance of its vertices from their mean, some 110 mm of a usual endocardium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CorrespondenceParams {
     /// Smoothing λ of the thin-plate spline: landmarks are approached, not met, as they are placed no better than that.

@@ -8,7 +8,7 @@ use crate::progress::{Progress, Stopped};
 use crate::study::SurfaceKind;
 
 use super::TargetError;
-use super::carrying::{Carrier, diagonal};
+use super::carrying::{Carrier, size};
 use super::params::CorrespondenceParams;
 use super::target_surface::TargetSurface;
 
@@ -74,7 +74,7 @@ impl FrameFit {
         target: &TargetSurface,
         faces: usize,
     ) -> Result<(), TargetError> {
-        let size = diagonal(target.vertices());
+        let size = size(target.vertices());
         let max_foldovers = (params.max_foldovers * faces as f64) as usize;
         let [max_mean, max_p95] = [params.max_mean, params.max_p95].map(|share| share * size);
         let fits = self.mean <= max_mean && self.p95 <= max_p95 && self.foldovers <= max_foldovers;

@@ -170,16 +170,6 @@ impl TargetSurface {
         let farthest = hits.reduce(f64::max)?;
         Some(from + along * farthest)
     }
-
-    /// How often the ray meets the surface.
-    pub fn hits(&self, from: Point3, along: Vector3) -> usize {
-        let corners = |t: &[u32; 3]| t.map(|v| self.vertices[v as usize]);
-        let hits = self
-            .triangles
-            .iter()
-            .filter_map(|t| hit(&corners(t), from, along));
-        hits.count()
-    }
 }
 
 /// Triangles of the largest piece, and whether they are wound the same way round.
@@ -297,12 +287,13 @@ fn hit([a, b, c]: &[Point3; 3], from: Point3, along: Vector3) -> Option<f64> {
     }
     let offset = from - a;
     let u = offset.dot(&p) / determinant;
-    if !(0.0..=1.0).contains(&u) {
+    // A ray along an edge meets one of its faces, whatever rounding says.
+    if !(-ON_EDGE..=1.0 + ON_EDGE).contains(&u) {
         return None;
     }
     let q = offset.cross(&ab);
     let v = along.dot(&q) / determinant;
-    if v < 0.0 || u + v > 1.0 {
+    if v < -ON_EDGE || u + v > 1.0 + ON_EDGE {
         return None;
     }
     let distance = ac.dot(&q) / determinant;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::mesh::{Faces, Point3, TriMesh};
+use crate::mesh::{Faces, TriMesh};
 use crate::study::{Anatomy, Subject, SurfaceKind};
 
 use super::axis::VentricleAxis;
@@ -117,10 +117,5 @@ impl Template {
 
     pub(super) fn surface(&self, kind: SurfaceKind) -> Option<&TemplateSurface> {
         self.surfaces.iter().find(|surface| surface.kind == kind)
-    }
-
-    /// Vertices of all surfaces, for a look at how well it lies.
-    pub(super) fn points(&self, kind: SurfaceKind) -> &[Point3] {
-        self.surface(kind).map_or(&[], |s| s.mesh.vertices())
     }
 }

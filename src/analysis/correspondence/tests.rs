@@ -251,7 +251,8 @@ fn a_subject_that_is_moved_has_moved_vertices() {
     let there = registered(&template, &there, anatomy.as_ref()).unwrap();
     for frame in 0..2 {
         let expected: Vec<Point3> = pose(&here, frame).iter().map(|p| motion.apply(p)).collect();
-        assert!(greatest_distance(&pose(&there, frame), &expected) < 1e-5);
+        let away = greatest_distance(&pose(&there, frame), &expected);
+        assert!(away < 1e-5, "{frame}: {away}");
     }
 }
 

@@ -47,11 +47,16 @@ pub fn facts(image: &Image, modality: Option<Modality>) -> ImageFacts {
     }
 }
 
+/// Most changes of the value along the rows for each voxel that is not 0: labels lie in regions, while counts of few whole
+/// numbers differ from nearly every neighbour.
+const MAX_CHANGES: f64 = 0.75;
+
 fn labels(image: &Image) -> Option<Vec<i32>> {
     let mut found = BTreeSet::new();
-    // Neighbours are mostly of one label, so that the set is seldom asked.
-    let mut last = 0.0;
+    let (mut last, mut changes, mut labelled) = (0.0, 0_usize, 0_usize);
     for &value in image.volumes().iter().flat_map(|volume| volume.iter()) {
+        labelled += usize::from(value != 0.0);
+        // Neighbours are mostly of one label, so that the set is seldom asked.
         if value == last {
             continue;
         }
@@ -59,9 +64,11 @@ fn labels(image: &Image) -> Option<Vec<i32>> {
             return None;
         }
         last = value;
+        changes += 1;
         if value != 0.0 && found.insert(value as i32) && found.len() > MAX_LABELS {
             return None;
         }
     }
-    (!found.is_empty()).then(|| found.into_iter().collect())
+    let in_regions = changes as f64 <= MAX_CHANGES * labelled as f64;
+    (in_regions && !found.is_empty()).then(|| found.into_iter().collect())
 }

@@ -42,7 +42,12 @@ fn road(facts: &ImageFacts) -> (Road, bool, String) {
             format!("{} outlines lie beside the image", facts.contours),
         );
     }
-    if let Some(found) = &facts.labels {
+    // What a camera or scanner made is no label image, however few its values are.
+    let machine = !matches!(
+        facts.modality,
+        None | Some(Modality::Segmentation | Modality::Other)
+    );
+    if let Some(found) = facts.labels.as_ref().filter(|_| !machine) {
         let listed = found.iter().map(i32::to_string).collect::<Vec<_>>();
         let known = found.contains(&labels.cavity) && found.contains(&labels.wall);
         let reason = format!("its values are labels ({})", listed.join(", "));

@@ -2,7 +2,7 @@
 
 use super::SurfaceError;
 use super::volume_keeping::EnclosedVolumes;
-use crate::mesh::{Decimation, TriMesh};
+use crate::mesh::{Decimation, Point3, TriMesh};
 use crate::progress::{Progress, Stopped};
 
 /// Vertices that are removed between two questions whether to go on, as [`Decimation`] has it.
@@ -27,11 +27,11 @@ pub fn decimated(
     }
     progress.expect_steps((points.len() - max_vertices) / ASK_EVERY);
     let go_on = || progress.step().is_ok();
-    let coarse = Decimation::new(points, faces, max_vertices, go_on).ok_or(Stopped)?;
+    let (kept, coarse) = Decimation::one_way(points, faces, max_vertices, go_on).ok_or(Stopped)?;
     let volumes = EnclosedVolumes::of(points, faces);
-    let kept = coarse.restricted(points);
-    let volumes = volumes.for_kept(coarse.kept(), &kept, coarse.faces());
-    let mut restored = kept.clone();
-    volumes.restore(&mut restored, &kept);
-    Ok(TriMesh::new(restored, coarse.faces().clone())?)
+    let places: Vec<Point3> = kept.iter().map(|&v| points[v as usize]).collect();
+    let volumes = volumes.for_kept(&kept, &places, &coarse);
+    let mut restored = places.clone();
+    volumes.restore(&mut restored, &places);
+    Ok(TriMesh::new(restored, coarse)?)
 }

@@ -24,6 +24,8 @@ pub(super) struct SliceBeat {
 const RECENTRINGS: usize = 3;
 /// A middle that moves by less stays, in millimetres.
 const STAYS_MM: f64 = 0.7;
+/// A middle moves by no more than this from where the neighbouring slice leads, in millimetres: breath-holds differ.
+const DRIFT_MM: f64 = 8.0;
 /// Pull of the neighbouring slice while slices are followed, per mm².
 const FOLLOWED: f64 = 0.002;
 /// Harmonics of an endocardium without its muscles.
@@ -41,6 +43,12 @@ impl SliceBeat {
         progress: &Progress,
     ) -> Result<Self, Stopped> {
         let mut found = None;
+        let (led_to, first_tones) = (middle, tones);
+        let most_mm = if neighbour.is_some() {
+            DRIFT_MM
+        } else {
+            params.max_radius_mm
+        };
         for _ in 0..=RECENTRINGS {
             let polars = Self::sampled(slices, slice, middle, params, progress)?;
             let pull = |instant: usize| {
@@ -53,16 +61,26 @@ impl SliceBeat {
             let path = |(instant, polar): (usize, &Polar)| {
                 progress.check()?;
                 let pulls: Vec<Pull> = pull(instant).into_iter().collect();
-                Ok(tidied(&endocardium(polar, &tones, params.endocardium, &pulls)))
+                Ok(tidied(&endocardium(
+                    polar,
+                    &tones,
+                    (params.endocardium, params.max_radius_mm),
+                    &pulls,
+                )))
             };
-            let endo = polars.par_iter().enumerate().map(path).collect::<Result<Vec<_>, Stopped>>()?;
-            tones = tones.renewed(&polars, &endo);
+            let endo = polars
+                .par_iter()
+                .enumerate()
+                .map(path)
+                .collect::<Result<Vec<_>, Stopped>>()?;
+            tones = first_tones.renewed(&polars, &endo);
             let away = mean_centroid(&endo);
             found = Some((polars, endo, middle));
             if away.norm() < STAYS_MM {
                 break;
             }
-            middle += away;
+            let moved = middle + away - led_to;
+            middle = led_to + moved * (most_mm / moved.norm().max(most_mm));
         }
         let (polars, endo, middle) = found.unwrap_or_default();
         Ok(Self {
@@ -103,6 +121,8 @@ pub(super) fn tidied(radii: &[f64]) -> Vec<f64> {
 
 /// Where the middles of outlines lie on the mean over the beat.
 fn mean_centroid(beat: &[Vec<f64>]) -> Place {
-    let centroids = beat.iter().map(|radii| area_and_centroid(&corners(radii, Place::zeros())).1);
+    let centroids = beat
+        .iter()
+        .map(|radii| area_and_centroid(&corners(radii, Place::zeros())).1);
     centroids.sum::<Place>() / beat.len().max(1) as f64
 }

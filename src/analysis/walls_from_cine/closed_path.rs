@@ -3,7 +3,7 @@
 use super::polar::{RAYS, STEP_MM};
 
 /// Greatest change from a ray to the next, in samples.
-const MAX_STEP: usize = 4;
+const MAX_STEP: usize = 3;
 
 /// Costs of passing each sample of each ray.
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ impl Costs {
     }
 
     /// The closed path of which Σ cost + bending Σ (Δr)² is least, as radii in millimetres. `bending` is per mm²; radii change
-    /// by at most 2 mm from a ray to the next.
+    /// by at most 1.5 mm from a ray to the next.
     ///
     /// Two turns without a bound give the sample where the path passes the first ray in the middle of them; a third turn
     /// begins and ends there. It is the least closed path through that sample.
@@ -36,15 +36,21 @@ impl Costs {
         let free = self.walk(2 * RAYS + 1, None, bending);
         let through = free[RAYS];
         let closed = self.walk(RAYS + 1, Some(through), bending);
-        (closed.iter().take(RAYS)).map(|&n| (n as f64 + 0.5) * STEP_MM).collect()
+        (closed.iter().take(RAYS))
+            .map(|&n| (n as f64 + 0.5) * STEP_MM)
+            .collect()
     }
 
     /// The path over so many rays, from one sample back to itself if it is bound.
     fn walk(&self, rays: usize, bound: Option<usize>, bending: f64) -> Vec<usize> {
-        let bends: Vec<f64> = (0..=MAX_STEP).map(|n| bending * (n as f64 * STEP_MM).powi(2)).collect();
+        let bends: Vec<f64> = (0..=MAX_STEP)
+            .map(|n| bending * (n as f64 * STEP_MM).powi(2))
+            .collect();
         let mut best: Vec<f64> = self.ray(0).to_vec();
         if let Some(bound) = bound {
-            (best.iter_mut().enumerate()).filter(|(n, _)| *n != bound).for_each(|(_, cost)| *cost = f64::INFINITY);
+            (best.iter_mut().enumerate())
+                .filter(|(n, _)| *n != bound)
+                .for_each(|(_, cost)| *cost = f64::INFINITY);
         }
         let mut came_from = vec![0_u16; rays * self.samples];
         let mut next = vec![0.0; self.samples];
@@ -83,8 +89,11 @@ mod tests {
 
     #[test]
     fn the_path_follows_a_valley_and_closes() {
-        let valley = |ray: usize| 30.0 + 8.0 * (std::f64::consts::TAU * ray as f64 / RAYS as f64).sin();
-        let costs = Costs::of(80, |ray| (0..80).map(|n| (n as f64 - valley(ray)).abs()).collect());
+        let valley =
+            |ray: usize| 30.0 + 8.0 * (std::f64::consts::TAU * ray as f64 / RAYS as f64).sin();
+        let costs = Costs::of(80, |ray| {
+            (0..80).map(|n| (n as f64 - valley(ray)).abs()).collect()
+        });
         let path = costs.least_closed(0.0);
         for (ray, radius) in path.iter().enumerate() {
             assert!((radius / STEP_MM - 0.5 - valley(ray)).abs() <= 0.5 + 1e-9);
@@ -96,9 +105,15 @@ mod tests {
         // At the first ray the cheapest sample lies far off: a path that begins there has to come back.
         let costs = Costs::of(60, |ray| {
             let lure = if ray == 0 { 50 } else { 20 };
-            (0..60).map(|n| if n == lure { -1.0 } else { 0.0 }).collect()
+            (0..60)
+                .map(|n| if n == lure { -1.0 } else { 0.0 })
+                .collect()
         });
         let path = costs.least_closed(0.05);
-        assert!(path.iter().all(|radius| (radius - 20.5 * STEP_MM).abs() < 1e-12), "{path:?}");
+        assert!(
+            path.iter()
+                .all(|radius| (radius - 20.5 * STEP_MM).abs() < 1e-12),
+            "{path:?}"
+        );
     }
 }

@@ -40,14 +40,25 @@ pub(super) fn settle_endocardium(
             let path = |(instant, polar)| {
                 progress.step()?;
                 let pulls = neighbours(&before, slice, instant, params.coherence);
-                Ok(tidied(&endocardium(polar, tones, params.endocardium, &pulls)))
+                Ok(tidied(&endocardium(
+                    polar,
+                    tones,
+                    (params.endocardium, params.max_radius_mm),
+                    &pulls,
+                )))
             };
-            let endo = polars.par_iter().enumerate().map(path).collect::<Result<Vec<_>, Stopped>>()?;
+            let endo = polars
+                .par_iter()
+                .enumerate()
+                .map(path)
+                .collect::<Result<Vec<_>, Stopped>>()?;
             beat.tones = beat.tones.renewed(&beat.polars, &endo);
             beat.endo = endo;
         }
     }
-    beats.iter_mut().for_each(|beat| beat.endo = smooth_in_time(&beat.endo, params.coherence));
+    beats
+        .iter_mut()
+        .for_each(|beat| beat.endo = smooth_in_time(&beat.endo, params.coherence));
     Ok(())
 }
 
@@ -72,14 +83,19 @@ pub(super) fn settle_epicardium(
                 let found = epicardium(polar, tones, &endo[instant], wall_mm, &pulls);
                 Ok(smooth(&found, EPI_HARMONICS))
             };
-            beat.epi = polars.par_iter().enumerate().map(path).collect::<Result<Vec<_>, Stopped>>()?;
+            beat.epi = polars
+                .par_iter()
+                .enumerate()
+                .map(path)
+                .collect::<Result<Vec<_>, Stopped>>()?;
         }
     }
     for beat in beats {
         beat.epi = smooth_in_time(&beat.epi, params.coherence);
         // Smoothing may bring both outlines together.
         for (epi, endo) in beat.epi.iter_mut().zip(&beat.endo) {
-            (epi.iter_mut().zip(endo)).for_each(|(epi, endo)| *epi = epi.max(endo + params.min_wall_mm));
+            (epi.iter_mut().zip(endo))
+                .for_each(|(epi, endo)| *epi = epi.max(endo + params.min_wall_mm));
         }
     }
     Ok(())

@@ -27,7 +27,10 @@ const NOTHING: f64 = 0.05;
 /// # Errors
 /// If one has fewer than three corners, coordinates that are not numbers, or lies at an instant or in a slice that is not
 /// there.
-pub(super) fn placed<'a>(slices: &Slices<'_>, edits: &'a [Contour]) -> Result<Vec<Edit<'a>>, CineError> {
+pub(super) fn placed<'a>(
+    slices: &Slices<'_>,
+    edits: &'a [Contour],
+) -> Result<Vec<Edit<'a>>, CineError> {
     let place = |(number, contour): (usize, &'a Contour)| {
         let error = |reason| CineError::Edit {
             number,
@@ -40,11 +43,17 @@ pub(super) fn placed<'a>(slices: &Slices<'_>, edits: &'a [Contour]) -> Result<Ve
         if contour.points.len() < 3 {
             return Err(error("it has fewer than three corners"));
         }
-        if !contour.points.iter().all(|p| p.iter().all(|x| x.is_finite())) {
+        if !contour
+            .points
+            .iter()
+            .all(|p| p.iter().all(|x| x.is_finite()))
+        {
             return Err(error("its coordinates are not numbers"));
         }
         let heights = contour.points.iter().map(|&point| slices.height(point));
-        let [low, high] = heights.fold([f64::MAX, f64::MIN], |[low, high], h| [low.min(h), high.max(h)]);
+        let [low, high] = heights.fold([f64::MAX, f64::MIN], |[low, high], h| {
+            [low.min(h), high.max(h)]
+        });
         let number = (0.5 * (low + high)).round();
         if !(0.0..slices.in_volume() as f64).contains(&number) {
             return Err(error("it lies outside of the image"));
@@ -72,7 +81,13 @@ struct Correction {
 /// The correction at a slice and instant is Σ wᵢ Δᵢ / (0.05 + Σ wᵢ), where Δᵢ are the differences of radii between outlines set
 /// by hand and those found at the same place, and wᵢ = 2^(−t/τ) 2^(−z/ζ) for distances t around the beat and z along the axis. At
 /// the place of an outline set by hand it is followed entirely.
-pub(super) fn corrected(beats: &mut [SliceBeat], edits: &[Edit<'_>], part: ContourPart, slices: &Slices<'_>, params: &CineParams) {
+pub(super) fn corrected(
+    beats: &mut [SliceBeat],
+    edits: &[Edit<'_>],
+    part: ContourPart,
+    slices: &Slices<'_>,
+    params: &CineParams,
+) {
     let corrections: Vec<Correction> = (edits.iter())
         .filter(|edit| edit.contour.part == part)
         .filter_map(|edit| correction(beats, edit, slices))
@@ -83,7 +98,10 @@ pub(super) fn corrected(beats: &mut [SliceBeat], edits: &[Edit<'_>], part: Conto
     for (slice, beat) in beats.iter_mut().enumerate() {
         let instants = beat.endo.len();
         for instant in 0..instants {
-            let exact = corrections.iter().rev().find(|c| c.slice == slice && c.instant == instant);
+            let exact = corrections
+                .iter()
+                .rev()
+                .find(|c| c.slice == slice && c.instant == instant);
             let by = match exact {
                 Some(correction) => correction.by.clone(),
                 None => interpolated(&corrections, |c| {
@@ -94,7 +112,8 @@ pub(super) fn corrected(beats: &mut [SliceBeat], edits: &[Edit<'_>], part: Conto
                 }),
             };
             let radii = outlines(beat, part).get_mut(instant);
-            (radii.into_iter().flatten().zip(by)).for_each(|(radius, by)| *radius = (*radius + by).max(0.0));
+            (radii.into_iter().flatten().zip(by))
+                .for_each(|(radius, by)| *radius = (*radius + by).max(0.0));
         }
     }
 }
@@ -117,7 +136,11 @@ fn correction(beats: &mut [SliceBeat], edit: &Edit<'_>, slices: &Slices<'_>) -> 
     Some(Correction {
         slice,
         instant: edit.contour.instant,
-        by: set.iter().zip(found).map(|(set, found)| set - found).collect(),
+        by: set
+            .iter()
+            .zip(found)
+            .map(|(set, found)| set - found)
+            .collect(),
     })
 }
 

@@ -6,10 +6,10 @@ use super::tones::Tones;
 
 /// Pieces of a ray to either side of an edge that are compared, in millimetres.
 const SIDE_MM: f64 = 3.0;
-/// Price of a millimetre of muscle within the cavity: crossing a papillary muscle costs a third of an edge, a wall more.
-const DARK_WITHIN: f64 = 0.06;
+/// Price of a millimetre of muscle within the cavity: crossing a papillary muscle costs a fifth of an edge, a wall more.
+const DARK_WITHIN: f64 = 0.12;
 /// Price of being off the level of the endocardium.
-const OFF_LEVEL: f64 = 0.3;
+const OFF_LEVEL: f64 = 0.4;
 /// Price of (Δr)² from ray to ray, per mm².
 const BENDING: f64 = 0.05;
 
@@ -35,11 +35,22 @@ const FAR_MM: f64 = 12.0;
 /// The endocardium around a middle: the closed path along which what lies within is blood and what lies beyond is not.
 ///
 /// With b the values between muscle (0) and blood (1), a radius r of a ray costs
-/// −(b̄ within − b̄ beyond) + 0.06 ∫₀ʳ max(0, L − b) dr' + 0.3 |b(r) − L| + pull: b̄ are means over 3 mm, L is `level`.
-pub(super) fn endocardium(polar: &Polar, tones: &Tones, level: f64, pulls: &[Pull]) -> Vec<f64> {
+/// −(b̄ within − b̄ beyond) + 0.12 ∫₀ʳ max(0, L − b) dr' + 0.4 |b(r) − L| + pull: b̄ are means over 3 mm, L is the level;
+/// radii reach up to the greatest one.
+pub(super) fn endocardium(
+    polar: &Polar,
+    tones: &Tones,
+    (level, max_radius_mm): (f64, f64),
+    pulls: &[Pull],
+) -> Vec<f64> {
     let side = (SIDE_MM / STEP_MM) as isize;
-    let costs = Costs::of(polar.samples(), |ray| {
-        let blood: Vec<f64> = polar.ray(ray).iter().map(|&value| tones.blood_share(value)).collect();
+    let samples = polar.samples().min((max_radius_mm / STEP_MM) as usize);
+    let costs = Costs::of(samples, |ray| {
+        let blood: Vec<f64> = polar
+            .ray(ray)
+            .iter()
+            .map(|&value| tones.blood_share(value))
+            .collect();
         let sums = running_sums(blood.iter().copied());
         let mut dark = 0.0;
         let cost = |(n, &own): (usize, &f64)| {
@@ -50,7 +61,7 @@ pub(super) fn endocardium(polar: &Polar, tones: &Tones, level: f64, pulls: &[Pul
             let pull: f64 = pulls.iter().map(|pull| pull.cost(ray, radius)).sum();
             pull - edge + DARK_WITHIN * dark + OFF_LEVEL * (own - level).abs().min(1.0)
         };
-        blood.iter().enumerate().map(cost).collect()
+        blood.iter().take(samples).enumerate().map(cost).collect()
     });
     costs.least_closed(BENDING)
 }

@@ -10,7 +10,7 @@ const SIDE_MM: f64 = 2.5;
 /// Price of a millimetre of something else within the wall, less what muscle is allowed to vary.
 const OTHER_WITHIN: f64 = 0.25;
 /// What muscle varies: noise, and its partial volume.
-const ALLOWED: f64 = 0.3;
+const ALLOWED: f64 = 0.2;
 /// Price of (Δr)² from ray to ray, per mm².
 const BENDING: f64 = 0.1;
 /// Price where the wall would be too thin or too thick.
@@ -20,7 +20,7 @@ const IMPOSSIBLE: f64 = 100.0;
 /// brighter (blood of the right ventricle, fat) or darker (lung).
 ///
 /// With d the departure of values from muscle, 1 at blood and −1 at nothing, a radius r beyond the endocardium rₑ costs
-/// −|d̄ beyond − d̄ within| + 0.25 ∫ (|d| − 0.3) dr' from rₑ to r + pull: d̄ are means over 2.5 mm.
+/// −|d̄ beyond − d̄ within| + 0.25 ∫ (|d| − 0.2) dr' from rₑ to r + pull: d̄ are means over 2.5 mm.
 pub(super) fn epicardium(
     polar: &Polar,
     tones: &Tones,
@@ -30,7 +30,11 @@ pub(super) fn epicardium(
 ) -> Vec<f64> {
     let side = (SIDE_MM / STEP_MM) as isize;
     let costs = Costs::of(polar.samples(), |ray| {
-        let departures: Vec<f64> = polar.ray(ray).iter().map(|&value| tones.departure(value)).collect();
+        let departures: Vec<f64> = polar
+            .ray(ray)
+            .iter()
+            .map(|&value| tones.departure(value))
+            .collect();
         let sums = running_sums(departures.iter().copied());
         let mut other = 0.0;
         let cost = |(n, &own): (usize, &f64)| {
@@ -44,7 +48,9 @@ pub(super) fn epicardium(
                 return IMPOSSIBLE;
             }
             let at = n as isize;
-            let edge = (mean(&sums, at + 1, at + 1 + side) - mean(&sums, at - side, at)).abs().min(1.0);
+            let edge = (mean(&sums, at + 1, at + 1 + side) - mean(&sums, at - side, at))
+                .abs()
+                .min(1.0);
             let pull: f64 = pulls.iter().map(|pull| pull.cost(ray, radius)).sum();
             pull - edge + OTHER_WITHIN * other
         };
@@ -52,7 +58,10 @@ pub(super) fn epicardium(
     });
     let found = costs.least_closed(BENDING);
     // Where the path could not follow a jump of the endocardium.
-    let within = found.iter().zip(endo).map(|(epi, endo)| epi.clamp(endo + wall_mm[0], endo + wall_mm[1]));
+    let within = found
+        .iter()
+        .zip(endo)
+        .map(|(epi, endo)| epi.clamp(endo + wall_mm[0], endo + wall_mm[1]));
     within.collect()
 }
 

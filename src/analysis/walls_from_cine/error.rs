@@ -6,7 +6,9 @@ use crate::progress::Stopped;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CineError {
     /// A point that is needed is not marked.
-    #[error("{0} is not marked; needed are a point of the blood, the apex and the base of the left ventricle")]
+    #[error(
+        "{0} is not marked; needed are a point of the blood, the apex and the base of the left ventricle"
+    )]
     Missing(&'static str),
     /// A point with coordinates that are not numbers.
     #[error("the coordinates of {0} are not numbers")]

@@ -8,7 +8,8 @@ use super::slices::Place;
 /// Corners of an outline around a middle.
 pub(super) fn corners(radii: &[f64], middle: Place) -> Vec<Place> {
     let rays = radii.iter().enumerate();
-    rays.map(|(ray, radius)| middle + direction(ray) * *radius).collect()
+    rays.map(|(ray, radius)| middle + direction(ray) * *radius)
+        .collect()
 }
 
 /// Area ½ Σ pᵢ × pᵢ₊₁ and centroid of a polygon; positive if it goes as the rays do.
@@ -20,7 +21,11 @@ pub(super) fn area_and_centroid(corners: &[Place]) -> (f64, Place) {
         area += 0.5 * cross;
         moment += (from + to) * cross / 6.0;
     }
-    let centroid = if area == 0.0 { Place::zeros() } else { moment / area };
+    let centroid = if area == 0.0 {
+        Place::zeros()
+    } else {
+        moment / area
+    };
     (area, centroid)
 }
 
@@ -36,7 +41,9 @@ pub(super) fn mean_radius(radii: &[f64]) -> f64 {
 
 /// The farthest crossing of each ray from a middle with a polygon; `None` if a ray meets none: the middle is outside.
 pub(super) fn radii_of(polygon: &[Place], middle: Place) -> Option<Vec<f64>> {
-    (0..RAYS).map(|ray| farthest_crossing(polygon, middle, direction(ray))).collect()
+    (0..RAYS)
+        .map(|ray| farthest_crossing(polygon, middle, direction(ray)))
+        .collect()
 }
 
 fn farthest_crossing(polygon: &[Place], middle: Place, along: Place) -> Option<f64> {
@@ -127,8 +134,17 @@ mod tests {
     fn smoothing_keeps_slow_waves_and_takes_fast_ones_away() {
         let wave = |n: usize| move |ray: usize| (TAU * (n * ray) as f64 / RAYS as f64).cos();
         let slow: Vec<f64> = (0..RAYS).map(|ray| 20.0 + 3.0 * wave(3)(ray)).collect();
-        let noisy: Vec<f64> = slow.iter().enumerate().map(|(ray, r)| r + wave(20)(ray)).collect();
+        let noisy: Vec<f64> = slow
+            .iter()
+            .enumerate()
+            .map(|(ray, r)| r + wave(20)(ray))
+            .collect();
         let smoothed = smooth(&noisy, 8);
-        assert!(smoothed.iter().zip(&slow).all(|(a, b)| (a - b).abs() < 1e-9));
+        assert!(
+            smoothed
+                .iter()
+                .zip(&slow)
+                .all(|(a, b)| (a - b).abs() < 1e-9)
+        );
     }
 }

@@ -29,7 +29,7 @@ impl Default for CineParams {
             max_radius_mm: 45.0,
             min_wall_mm: 3.0,
             max_wall_mm: 22.0,
-            endocardium: 0.5,
+            endocardium: 0.28,
             coherence: 1.0,
             edit_reach_beats: 0.15,
             edit_reach_mm: 8.0,
@@ -71,7 +71,10 @@ impl CineParams {
             ("edit_reach_beats", self.edit_reach_beats, 0.01, 10.0),
             ("edit_reach_mm", self.edit_reach_mm, 0.1, 1000.0),
         ];
-        match ranges.into_iter().find(|(_, value, least, most)| !(*least..=*most).contains(value)) {
+        match ranges
+            .into_iter()
+            .find(|(_, value, least, most)| !(*least..=*most).contains(value))
+        {
             Some((name, value, least, most)) => Err(CineParamsError {
                 name,
                 value,
@@ -100,12 +103,21 @@ mod tests {
         let usual = CineParams::default();
         assert!(usual.check().is_ok());
         for max_radius_mm in [0.0, 1e6, f64::NAN] {
-            let wrong = CineParams { max_radius_mm, ..usual };
+            let wrong = CineParams {
+                max_radius_mm,
+                ..usual
+            };
             assert_eq!(wrong.check().unwrap_err().name, "max_radius_mm");
         }
         for coherence in [-1.0, f64::INFINITY, f64::NAN] {
             let wrong = CineParams { coherence, ..usual };
-            assert!(wrong.check().unwrap_err().to_string().starts_with("coherence must lie"));
+            assert!(
+                wrong
+                    .check()
+                    .unwrap_err()
+                    .to_string()
+                    .starts_with("coherence must lie")
+            );
         }
     }
 }

@@ -24,7 +24,13 @@ pub(super) struct Polar {
 }
 
 impl Polar {
-    pub(super) fn of(slices: &Slices<'_>, instant: usize, slice: usize, middle: Place, reach_mm: f64) -> Self {
+    pub(super) fn of(
+        slices: &Slices<'_>,
+        instant: usize,
+        slice: usize,
+        middle: Place,
+        reach_mm: f64,
+    ) -> Self {
         let samples = (reach_mm / STEP_MM).ceil() as usize;
         let rays = (0..RAYS).flat_map(|ray| {
             let along = direction(ray);

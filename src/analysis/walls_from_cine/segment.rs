@@ -1,5 +1,6 @@
 //! The road from three marked points to the outlines of both surfaces over the beat.
 
+use super::CineError;
 use super::beat::SliceBeat;
 use super::coherence::{settle_endocardium, settle_epicardium};
 use super::edits::{Edit, corrected, placed};
@@ -9,7 +10,6 @@ use super::params::{CheckedCineParams, CineParams};
 use super::slices::{Place, Slices};
 use super::tones::Tones;
 use super::valve_plane::slices_below_valve;
-use super::CineError;
 use crate::image::{Contour, ContourPart, Image, MarkedPoints};
 use crate::progress::{Progress, Stopped};
 use crate::study::Notice;
@@ -63,23 +63,41 @@ pub fn segment_cine(
     progress.begin_phase("finding the endocardium", 0.5, 0.8);
     progress.expect_steps(3 * slices.count() * slices.instants());
     settle_endocardium(&mut beats, &params, progress)?;
-    corrected(&mut beats, &edits, ContourPart::Endocardium, &slices, &params);
+    corrected(
+        &mut beats,
+        &edits,
+        ContourPart::Endocardium,
+        &slices,
+        &params,
+    );
     progress.begin_phase("finding the epicardium", 0.8, 1.0);
     progress.expect_steps(3 * slices.count() * slices.instants());
     settle_epicardium(&mut beats, &params, progress)?;
-    corrected(&mut beats, &edits, ContourPart::Epicardium, &slices, &params);
+    corrected(
+        &mut beats,
+        &edits,
+        ContourPart::Epicardium,
+        &slices,
+        &params,
+    );
     Ok(outlined(&slices, &beats, &edits))
 }
 
 /// The endocardium of all slices, each from the one before, beginning at the marked point.
-fn all_slices(slices: &Slices<'_>, params: &CineParams, progress: &Progress) -> Result<Vec<SliceBeat>, CineError> {
+fn all_slices(
+    slices: &Slices<'_>,
+    params: &CineParams,
+    progress: &Progress,
+) -> Result<Vec<SliceBeat>, CineError> {
     progress.expect_steps(slices.count());
     let (start, place) = slices.blood();
     let tones = Tones::marked(slices, start, place)?;
     let first = SliceBeat::followed(slices, start, (place, tones), None, params, progress)?;
     progress.step()?;
     let edges = first.polars.iter().zip(&first.endo);
-    let sum: f64 = edges.map(|(polar, radii)| edge(polar, &first.tones, radii)).sum();
+    let sum: f64 = edges
+        .map(|(polar, radii)| edge(polar, &first.tones, radii))
+        .sum();
     let found = sum / slices.instants() as f64;
     if found < LEAST_EDGE {
         return Err(CineError::NoEdge {
@@ -114,7 +132,15 @@ fn next_slice(
     };
     let led_to = before.middle + slices.on_axis(to) - slices.on_axis(from);
     let middle = brightest(slices, to, led_to, &before.tones);
-    SliceBeat::followed(slices, to, (middle, before.tones), Some(before), params, progress).map(Some)
+    SliceBeat::followed(
+        slices,
+        to,
+        (middle, before.tones),
+        Some(before),
+        params,
+        progress,
+    )
+    .map(Some)
 }
 
 /// The place near one where there is most blood over the beat, within a disc of 4 mm.
@@ -127,12 +153,16 @@ fn brightest(slices: &Slices<'_>, slice: usize, near: Place, tones: &Tones) -> P
     };
     let every = (slices.instants() / 6).max(1);
     let blood_at = |place: Place| {
-        let values = (0..slices.instants()).step_by(every).filter_map(|instant| slices.value(instant, slice, place));
+        let values = (0..slices.instants())
+            .step_by(every)
+            .filter_map(|instant| slices.value(instant, slice, place));
         values.map(|value| tones.blood_share(value)).sum::<f64>()
     };
     let instants = slices.instants().div_ceil(every) as f64;
     let score = |away: &Place| {
-        let disc: Vec<f64> = grid(4.0, 2.0).map(|by| blood_at(near + away + by)).collect();
+        let disc: Vec<f64> = grid(4.0, 2.0)
+            .map(|by| blood_at(near + away + by))
+            .collect();
         disc.iter().sum::<f64>() / (instants * disc.len() as f64) - AWAY * away.norm()
     };
     let scored = grid(MIDDLE_WITHIN_MM, 2.0).map(|away| (score(&away), away));
@@ -153,7 +183,8 @@ fn outlined(slices: &Slices<'_>, beats: &[SliceBeat], edits: &[Edit<'_>]) -> Cin
             ];
             for (part, radii) in outlines {
                 let is_set = |edit: &Edit<'_>| {
-                    (edit.slice, edit.contour.instant, edit.contour.part) == (Some(slice), instant, part)
+                    (edit.slice, edit.contour.instant, edit.contour.part)
+                        == (Some(slice), instant, part)
                 };
                 if edits.iter().any(is_set) {
                     continue;
@@ -166,7 +197,10 @@ fn outlined(slices: &Slices<'_>, beats: &[SliceBeat], edits: &[Edit<'_>]) -> Cin
                 contours.push(Contour {
                     instant,
                     part,
-                    points: corners.into_iter().map(|place| slices.position(slice, place)).collect(),
+                    points: corners
+                        .into_iter()
+                        .map(|place| slices.position(slice, place))
+                        .collect(),
                 });
             }
         }
@@ -179,13 +213,20 @@ fn outlined(slices: &Slices<'_>, beats: &[SliceBeat], edits: &[Edit<'_>]) -> Cin
     }
 }
 
-fn notices(slices: &Slices<'_>, below: &[usize], [found, set, without_cavity]: [usize; 3]) -> Vec<Notice> {
+fn notices(
+    slices: &Slices<'_>,
+    below: &[usize],
+    [found, set, without_cavity]: [usize; 3],
+) -> Vec<Notice> {
     let mut notices = vec![Notice::info(format!(
         "{found} outlines found in {} slices and {} instants, {set} set by hand",
         slices.count(),
         slices.instants()
     ))];
-    let left = below.iter().filter(|&&count| count < slices.count()).count();
+    let left = below
+        .iter()
+        .filter(|&&count| count < slices.count())
+        .count();
     if left > 0 {
         let least = below.iter().min().copied().unwrap_or(0);
         notices.push(Notice::info(format!(

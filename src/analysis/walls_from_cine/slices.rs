@@ -57,7 +57,10 @@ impl<'a> Slices<'a> {
         let axes = [(across + 1) % 3, (across + 2) % 3, across];
         let steps = axes.map(|axis| frame.steps()[axis]);
         let normal = steps[0].cross(&steps[1]).normalize();
-        let angle_deg = (normal.dot(&long).abs() / length_mm).min(1.0).acos().to_degrees();
+        let angle_deg = (normal.dot(&long).abs() / length_mm)
+            .min(1.0)
+            .acos()
+            .to_degrees();
         if angle_deg > MAX_ANGLE_DEG {
             return Err(CineError::NotShortAxis {
                 angle_deg,
@@ -66,13 +69,20 @@ impl<'a> Slices<'a> {
         }
         let x = steps[0].normalize();
         let y = normal.cross(&x);
-        let mm_from_voxels = Matrix2::new(steps[0].dot(&x), steps[1].dot(&x), steps[0].dot(&y), steps[1].dot(&y));
+        let mm_from_voxels = Matrix2::new(
+            steps[0].dot(&x),
+            steps[1].dot(&x),
+            steps[0].dot(&y),
+            steps[1].dot(&y),
+        );
         let mut slices = Self {
             image,
             axes,
             directions: [x, y],
             // A frame has steps that are independent.
-            voxels_from_mm: mm_from_voxels.try_inverse().unwrap_or_else(Matrix2::identity),
+            voxels_from_mm: mm_from_voxels
+                .try_inverse()
+                .unwrap_or_else(Matrix2::identity),
             numbers: Vec::new(),
             on_axis: Vec::new(),
             step_mm: normal.dot(&steps[2]).abs(),
@@ -204,7 +214,8 @@ impl<'a> Slices<'a> {
             share[n] = (voxel[n] - floor) as f32;
         }
         let values = &self.image.volumes()[instant];
-        let first = low[0] * strides[u] + low[1] * strides[v] + self.numbers[slice] * strides[across];
+        let first =
+            low[0] * strides[u] + low[1] * strides[v] + self.numbers[slice] * strides[across];
         let right = if size[u] > 1 { strides[u] } else { 0 };
         let down = if size[v] > 1 { strides[v] } else { 0 };
         let row = |at: usize| values[at] * (1.0 - share[0]) + values[at + right] * share[0];
@@ -234,10 +245,16 @@ fn needed(points: &MarkedPoints) -> Result<[Point3; 3], CineError> {
 /// axis.
 fn axis_across(frame: &VolumeFrame, long: &Vector3) -> usize {
     let steps = frame.steps();
-    let normals = [0, 1, 2].map(|axis| steps[(axis + 1) % 3].cross(&steps[(axis + 2) % 3]).normalize());
+    let normals = [0, 1, 2].map(|axis| {
+        steps[(axis + 1) % 3]
+            .cross(&steps[(axis + 2) % 3])
+            .normalize()
+    });
     let distances = [0, 1, 2].map(|axis| normals[axis].dot(&steps[axis]).abs());
     let greatest = distances.iter().copied().fold(0.0, f64::max);
     let along = |axis: &usize| normals[*axis].dot(long).abs();
     let candidates = (0..3).filter(|&axis| distances[axis] * ALIKE >= greatest);
-    candidates.max_by(|a, b| along(a).total_cmp(&along(b))).unwrap_or(2)
+    candidates
+        .max_by(|a, b| along(a).total_cmp(&along(b)))
+        .unwrap_or(2)
 }

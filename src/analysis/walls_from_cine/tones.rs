@@ -26,30 +26,47 @@ const WALL_MM: f64 = 4.0;
 const LEAST_RAYS: f64 = 0.6;
 /// Muscle is not brighter than this share of blood, or the two are no longer told apart.
 const MOST_MUSCLE: f64 = 0.75;
+/// Blood is this many times as bright as in the slice before, at most: fat is brighter.
+const BLOOD_RANGE: f64 = 1.3;
 
 impl Tones {
     /// From a point that was marked as blood.
     ///
     /// # Errors
     /// If there are no values, it is dark, or nothing ends the blood around it.
-    pub(super) fn marked(slices: &Slices<'_>, slice: usize, place: Place) -> Result<Self, CineError> {
+    pub(super) fn marked(
+        slices: &Slices<'_>,
+        slice: usize,
+        place: Place,
+    ) -> Result<Self, CineError> {
         let around: Vec<Polar> = (0..slices.instants())
             .map(|instant| Polar::of(slices, instant, slice, place, AROUND_MM))
             .collect();
         let within = |reach_mm: f64| {
             let samples = (reach_mm / STEP_MM) as usize;
-            let rays = around.iter().flat_map(|polar| (0..RAYS).map(move |ray| polar.ray(ray)));
+            let rays = around
+                .iter()
+                .flat_map(|polar| (0..RAYS).map(move |ray| polar.ray(ray)));
             let values = rays.flat_map(move |ray| ray.iter().take(samples).step_by(2));
-            values.filter(|value| value.is_finite()).map(|&value| f64::from(value)).collect::<Vec<_>>()
+            values
+                .filter(|value| value.is_finite())
+                .map(|&value| f64::from(value))
+                .collect::<Vec<_>>()
         };
         // The point may lie in the wall at end-systole: the upper quartile is that of blood.
-        let blood = quantile(within(DISC_MM), 0.75).ok_or(CineError::Outside("the point of the blood"))?;
+        let blood =
+            quantile(within(DISC_MM), 0.75).ok_or(CineError::Outside("the point of the blood"))?;
         let usual = quantile(within(AROUND_MM), 0.95).unwrap_or(blood);
         // Dark as well where both are 0 or below.
         if !(blood > BRIGHT_SHARE * usual && blood > 0.0) {
-            return Err(CineError::Dark { value: blood, usual });
+            return Err(CineError::Dark {
+                value: blood,
+                usual,
+            });
         }
-        let rays = around.iter().flat_map(|polar| (0..RAYS).map(move |ray| polar.ray(ray)));
+        let rays = around
+            .iter()
+            .flat_map(|polar| (0..RAYS).map(move |ray| polar.ray(ray)));
         let ends: Vec<f64> = rays.filter_map(|ray| first_wall(ray, blood)).collect();
         let found = ends.len() as f64 / (around.len() * RAYS) as f64;
         match quantile(ends, 0.5) {
@@ -77,6 +94,7 @@ impl Tones {
             }
         }
         let blood = quantile(within, 0.5).unwrap_or(self.blood);
+        let blood = blood.clamp(self.blood / BLOOD_RANGE, self.blood * BLOOD_RANGE);
         let muscle = quantile(beyond, 0.5).unwrap_or(self.muscle);
         if muscle > 0.0 && muscle < MOST_MUSCLE * blood {
             Self { blood, muscle }
@@ -89,25 +107,40 @@ impl Tones {
     pub(super) fn blood_share(&self, value: f32) -> f64 {
         let share = (f64::from(value) - self.muscle) / (self.blood - self.muscle);
         // Beyond blood there is fat, and nothing is more blood than blood.
-        if share.is_nan() { 0.0 } else { share.clamp(-0.3, 1.1) }
+        if share.is_nan() {
+            0.0
+        } else {
+            share.clamp(-0.3, 1.1)
+        }
     }
 
     /// 0 as muscle, up to 1 as something brighter, down to −1 as something darker.
     pub(super) fn departure(&self, value: f32) -> f64 {
         let away = f64::from(value) - self.muscle;
-        let unit = if away > 0.0 { self.blood - self.muscle } else { self.muscle };
+        let unit = if away > 0.0 {
+            self.blood - self.muscle
+        } else {
+            self.muscle
+        };
         let share = away / unit;
-        if share.is_nan() { 0.0 } else { share.clamp(-1.0, 1.0) }
+        if share.is_nan() {
+            0.0
+        } else {
+            share.clamp(-1.0, 1.0)
+        }
     }
 }
 
-/// The mean value of the first piece of a ray that is a wall long and darker than blood.
+/// The mean value of the darkest piece near the first one on a ray that is a wall long and darker than blood.
 fn first_wall(ray: &[f32], blood: f64) -> Option<f64> {
     let known = ray.iter().take_while(|value| value.is_finite()).count();
     let sums = running_sums(ray[..known].iter().map(|&value| f64::from(value)));
     let length = (WALL_MM / STEP_MM) as usize;
-    let pieces = (0..known.saturating_sub(length)).map(|n| mean(&sums, n as isize, (n + length) as isize));
-    pieces.into_iter().find(|mean| *mean < NOT_BLOOD * blood)
+    let pieces =
+        (0..known.saturating_sub(length)).map(|n| mean(&sums, n as isize, (n + length) as isize));
+    // The first dark piece is half blood: the darkest one within the next wall is muscle.
+    let dark = pieces.skip_while(|mean| *mean >= NOT_BLOOD * blood);
+    dark.take(length).reduce(f64::min)
 }
 
 /// The value below which a share of all lie; `None` of none.

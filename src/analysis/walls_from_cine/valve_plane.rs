@@ -18,16 +18,28 @@ pub(super) fn slices_below_valve(beats: &[SliceBeat]) -> Vec<usize> {
     let instants = beats.first().map_or(0, |beat| beat.endo.len());
     let at = |instant: usize| {
         let surrounded = |slice: &SliceBeat| {
-            let (polar, endo, epi) = (&slice.polars[instant], &slice.endo[instant], &slice.epi[instant]);
+            let (polar, endo, epi) = (
+                &slice.polars[instant],
+                &slice.endo[instant],
+                &slice.epi[instant],
+            );
             muscle_share(polar, &slice.tones, endo, epi) >= SURROUNDED
         };
-        let above = beats.iter().rev().take_while(|slice| !surrounded(slice)).count();
+        let above = beats
+            .iter()
+            .rev()
+            .take_while(|slice| !surrounded(slice))
+            .count();
         (count - above).max(least)
     };
     let counts: Vec<usize> = (0..instants).map(at).collect();
     let followed = |instant: usize| {
         let [before, after] = [instants - 1, 1].map(|by| counts[(instant + by) % instants]);
-        if instants > 4 && before == after { before } else { counts[instant] }
+        if instants > 4 && before == after {
+            before
+        } else {
+            counts[instant]
+        }
     };
     (0..instants).map(followed).collect()
 }

@@ -1,4 +1,5 @@
 //! Phantoms of circles in slices: known areas, known muscle, and what is refused.
+#![allow(clippy::unwrap_used)] // A test that fails here says so.
 
 use std::f64::consts::{PI, TAU};
 
@@ -85,6 +86,17 @@ fn masks_have_the_areas_of_their_outlines() {
     assert!((muscle[0] / muscle[1] - 1.0).abs() < 2e-3, "{muscle:?}");
     assert_eq!(masks.count(2, Tissue::Cavity), 0);
     assert_eq!(masks.drawn().unwrap().1, [0, 1]);
+}
+
+#[test]
+fn small_outlines_have_their_areas_too() {
+    let frame = tilted();
+    // Six pixels of the image.
+    let contour = circle(&frame, (0, Endocardium), 3, [50.3, 44.6], 2.0);
+    let masks = masks_of_contours(&frame, 1, &[contour]).unwrap();
+    let expected = PI * 4.0 * STEP_MM / 1000.0;
+    let found = volume_ml(&masks, 0, Tissue::Cavity);
+    assert!((found / expected - 1.0).abs() < 0.003, "{found} {expected}");
 }
 
 #[test]

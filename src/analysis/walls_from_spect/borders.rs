@@ -8,7 +8,7 @@ const BORDER_MM: [f64; 2] = [3.0, 22.0];
 /// same width everywhere, and noise and neighbouring organs change single rays.
 const OWN: f64 = 0.3;
 /// Share of what is usual at an instant in what is used there; the rest is what is usual over the beat.
-const OWN_INSTANT: f64 = 0.3;
+const OWN_INSTANT: f64 = 0.6;
 
 /// Distances of endocardium (inwards) and epicardium (outwards) from the middle of the wall, for each instant and ray.
 ///

@@ -55,7 +55,7 @@ pub enum SpectError {
     },
     /// The blur cannot be done.
     #[error(transparent)]
-    Blur(#[from] BlurError),
+    Blur(BlurError),
     /// An edit says no place.
     #[error(transparent)]
     Edit(#[from] VolumeEditError),
@@ -71,4 +71,13 @@ pub enum SpectError {
     /// Masks that are none.
     #[error(transparent)]
     Mask(#[from] MaskError),
+}
+
+impl From<BlurError> for SpectError {
+    fn from(error: BlurError) -> Self {
+        match error {
+            BlurError::Stopped(stopped) => Self::Stopped(stopped),
+            error => Self::Blur(error),
+        }
+    }
 }

@@ -21,7 +21,7 @@ const FALL: f64 = 0.8;
 /// And where the image ends before.
 const FALL_AT_END: f64 = 0.95;
 /// Counts in the middle of the cavity as a share of those of the wall, at most.
-const MAX_CAVITY: f64 = 0.75;
+const MAX_CAVITY: f64 = 0.9;
 /// Counts of the wall as a share of the greatest of the image, at least: a liver may be several times as bright.
 const MIN_WALL: f64 = 0.15;
 /// Cosine of the angle to the axis within which the apex is, or the valve.
@@ -139,6 +139,10 @@ fn around(
         distances.push(distance);
         // The valve has fewer counts than the apex.
         towards += direction * counts;
+    }
+    // The valve takes up less than half of what surrounds a cavity.
+    if 2 * wall.len() < directions.len() {
+        return None;
     }
     let count = distances.len() as f64;
     let mean = distances.iter().sum::<f64>() / count.max(1.0);

@@ -46,17 +46,18 @@ pub(super) fn placed(
         (None, Some(blood)) => surroundings(&sampler, blood, most),
         (None, None) => most_enclosed(&sampler, frame, most, progress)?,
     };
+    let score = from.as_ref().map_or(0.0, |found| found.score);
     let found = from.filter(|found| found.score >= ENCLOSED || marked_axis.is_some());
-    let none = |score| SpectError::NoVentricle {
+    let none = || SpectError::NoVentricle {
         score,
         needed: ENCLOSED,
     };
-    let found = found.ok_or_else(|| none(0.0))?;
+    let found = found.ok_or_else(none)?;
     let conic = match marked_axis {
-        Some((axis, _)) => Conic::about(&axis, &found.wall).ok_or_else(|| none(found.score))?,
-        None => refined(&sampler, found, most, progress)?.ok_or_else(|| none(0.0))?,
+        Some((axis, _)) => Conic::about(&axis, &found.wall).ok_or_else(none)?,
+        None => refined(&sampler, found, most, progress)?.ok_or_else(none)?,
     };
-    let (tip, radius) = conic.tip_and_radius().ok_or_else(|| none(0.0))?;
+    let (tip, radius) = conic.tip_and_radius().ok_or_else(none)?;
     let rays = Rays::across(&conic, tip, radius, tip + LENGTH * radius);
     let points = MarkedPoints {
         apex: marked

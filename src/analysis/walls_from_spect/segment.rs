@@ -5,7 +5,10 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::analysis::walls_from_masks::Masks;
-use crate::image::{Border, Image, MarkedPoints, Sampler, VolumeEdit, blurred_image, edited};
+use crate::image::{
+    Border, Image, MarkedPoints, Sampler, VolumeEdit, VolumeFrame, blurred_image, edited,
+};
+use crate::mesh::Vector3;
 use crate::progress::Progress;
 use crate::study::Notice;
 
@@ -14,7 +17,7 @@ use super::borders::{borders, median};
 use super::fill::{Surfaces, masks};
 use super::middle::middles;
 use super::place::{Placed, placed};
-use super::rays::{Profiles, Rays, Sheet};
+use super::rays::{ANGLES, Profiles, Rays, Sheet};
 use super::unturned::unturned;
 use super::{CheckedSpectParams, SpectError, SpectGrid, SpectParams};
 
@@ -23,7 +26,8 @@ use super::{CheckedSpectParams, SpectError, SpectGrid, SpectParams};
 pub struct SpectSegmentation {
     /// Cavity and wall at each instant, in the world of the image.
     pub masks: Masks,
-    /// Apex and base as marked, or else as found; the others as marked.
+    /// Apex (the tip of the middle of the wall) and base (the valve at the first instant) as marked, or else as found; the others as
+    /// marked.
     pub points: MarkedPoints,
     /// What was found and assumed.
     pub notices: Vec<Notice>,
@@ -62,7 +66,7 @@ pub fn segment_spect(
     let image = laid_out(image, params.grid, &mut notices, progress)?;
     let image = prepared(&image, edits, &params, progress)?;
     let sum = sum_over_instants(&image);
-    let Placed { rays, points } = placed(image.frame(), &sum, points, &mut notices, progress)?;
+    let Placed { rays, mut points } = placed(image.frame(), &sum, points, &mut notices, progress)?;
     let ungated = rays.profiles(&Sampler::new(image.frame(), &sum)?, progress)?;
     let profiles: Vec<Profiles> = (image.volumes().iter())
         .map(|values| Ok(rays.profiles(&Sampler::new(image.frame(), values)?, progress)?))
@@ -89,6 +93,11 @@ pub fn segment_spect(
             }
         })
         .collect();
+    let valve = heights
+        .first()
+        .map(|&z| rays.conic.axis.position(Vector3::new(0.0, 0.0, z)));
+    points.base = points.base.or(valve);
+    notices.extend(about_narrow_cavities(&rays, &surfaces, &inner));
     Ok(SpectSegmentation {
         masks: masks(&rays, &surfaces, params.spacing_mm, progress)?,
         points,
@@ -137,11 +146,24 @@ fn prepared(
     let volumes = blurred.volumes().par_iter().map(|values| {
         progress.check()?;
         let greatest = greatest(values).ok_or(SpectError::NoCounts)?;
-        let edited = edited(values, frame, edits, params.threshold * greatest)?;
+        let mut edited = edited(values, frame, edits, params.threshold * greatest)?;
+        forget_erased(&mut edited, frame, edits);
         Ok(Arc::from(edited))
     });
     let volumes = volumes.collect::<Result<Vec<Arc<[f32]>>, SpectError>>()?;
     Ok(Image::new(*frame, volumes, None)?)
+}
+
+/// Makes what is erased by position unknown (NaN): the hole in a liver must not look like a cavity.
+fn forget_erased(values: &mut [f32], frame: &VolumeFrame, edits: &[VolumeEdit]) {
+    let [nx, ny, _] = frame.size();
+    for (voxel, value) in values.iter_mut().enumerate() {
+        let place = [voxel % nx, voxel / nx % ny, voxel / nx / ny].map(|n| n as f64);
+        let position = frame.position(place.into());
+        if edits.iter().any(|edit| edit.erases(position)) {
+            *value = f32::NAN;
+        }
+    }
 }
 
 /// The greatest counts, if there are any above 0 and others below them.
@@ -220,8 +242,33 @@ fn about_valve(planes: &[ValvePlane]) -> Notice {
             "the plane of the valve was found where the counts of the wall fall towards the base, at each instant",
         ),
         _ => Notice::warning(format!(
-            "at {ended} of {} instants the counts of the wall do not fall before the image ends: the ventricle is cut there",
+            "at {ended} of {} instants the counts of the wall do not fall before the image or what an edit left of it ends: the ventricle is cut there",
             planes.len()
         )),
     }
+}
+
+/// A warning where the cavity is narrower than the half of the wall towards it: the images of opposite walls overlap there, so
+/// that the middle of the wall moves inwards. In small hearts ejection fractions from SPECT are known to be too high.
+fn about_narrow_cavities(rays: &Rays, surfaces: &[Surfaces], inner: &[Sheet]) -> Option<Notice> {
+    let is_narrow = |(surfaces, inner): &(&Surfaces, &Sheet)| {
+        let straight = |ray: usize| {
+            let row = ray / ANGLES;
+            rays.is_straight(row) && rays.height(row) <= surfaces.base
+        };
+        let rays = (0..rays.count()).filter(|&ray| straight(ray));
+        let (endo, half): (Vec<f64>, Vec<f64>) =
+            rays.map(|ray| (surfaces.endo[ray], inner[ray])).unzip();
+        median(endo)
+            .zip(median(half))
+            .is_some_and(|(endo, half)| endo < half)
+    };
+    let narrow = surfaces.iter().zip(inner).filter(is_narrow).count();
+    (narrow > 0).then(|| {
+        Notice::warning(format!(
+            "at {narrow} of {} instants the cavity is narrower than half of the wall as it appears: its volume is uncertain there, \
+             and the ejection fraction likely too high",
+            surfaces.len()
+        ))
+    })
 }

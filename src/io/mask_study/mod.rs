@@ -13,6 +13,6 @@ mod united;
 pub use find::{MaskFiles, MaskKind, find_mask_studies, is_mask_file};
 pub use info::MaskFacts;
 pub(in crate::io) use name::is_mask_name;
+pub use read::{MaskSeries, MaskStudyError, read_masks};
 pub use segmentation::NamedLabels;
 pub use united::united_notices;
-pub use read::{MaskSeries, MaskStudyError, read_masks};

@@ -1,7 +1,9 @@
 //! Collapsing one vertex after another into a neighbour, the cheapest first.
 
 use std::cmp::Ordering;
-use std::collections::{BinaryHeap, HashSet};
+use std::collections::BinaryHeap;
+
+use rayon::prelude::*;
 
 use crate::mesh::{Faces, Point3, Vector3};
 
@@ -14,6 +16,9 @@ const MIN_COSINE: f64 = 0.3;
 
 /// Least quality 4√3 A / Σ l² (1 for equal sides) of a new face, unless the old were as bad.
 const MIN_QUALITY: f64 = 0.25;
+
+/// Faces around a vertex, up to which no two of its neighbours may be joined: two faces would be folded onto each other.
+const FEW: usize = 3;
 
 /// A collapse of `vertex` into `into`, as good as it was when `version` was the vertex's.
 struct Candidate {
@@ -64,12 +69,17 @@ pub(super) struct Collapsing<'a> {
     residents: Vec<Vec<u32>>,
     /// Face and weights of each removed vertex.
     place: Vec<(u32, [f64; 3])>,
+    /// Whether it is kept where removed vertices lie.
+    places: bool,
     version: Vec<u32>,
+    /// The other end of each vertex's best collapse, or no vertex.
+    best_into: Vec<u32>,
     queue: BinaryHeap<Candidate>,
 }
 
 impl<'a> Collapsing<'a> {
-    pub fn new(points: &'a [Point3], faces: &Faces) -> Self {
+    /// With `places`, the way back from the coarse mesh is kept, too.
+    pub fn new(points: &'a [Point3], faces: &Faces, places: bool) -> Self {
         let count = faces.vertex_count();
         let mut around = vec![Vec::new(); count];
         for (face, triangle) in faces.triangles().iter().enumerate() {
@@ -95,12 +105,17 @@ impl<'a> Collapsing<'a> {
             removed: vec![false; count],
             residents: vec![Vec::new(); faces.triangles().len()],
             place: vec![(0, [0.0; 3]); count],
+            places,
             version: vec![0; count],
+            best_into: vec![u32::MAX; count],
             queue: BinaryHeap::new(),
         };
-        for vertex in 0..count as u32 {
-            state.offer(vertex);
+        let vertices = (0..count as u32).into_par_iter();
+        let offers: Vec<Candidate> = vertices.filter_map(|v| state.best(v)).collect();
+        for offer in &offers {
+            state.best_into[offer.vertex as usize] = offer.into;
         }
+        state.queue = offers.into();
         state
     }
 
@@ -144,52 +159,90 @@ impl<'a> Collapsing<'a> {
 
     /// Puts the best collapse of a vertex, if any, into the queue; older offers lapse.
     fn offer(&mut self, vertex: u32) {
+        self.version[vertex as usize] += 1;
+        let best = self.best(vertex);
+        self.best_into[vertex as usize] = best.as_ref().map_or(u32::MAX, |best| best.into);
+        self.queue.extend(best);
+    }
+
+    /// The cheapest collapse of a vertex, if any.
+    fn best(&self, vertex: u32) -> Option<Candidate> {
         let v = vertex as usize;
-        self.version[v] += 1;
         if self.locked[v] || self.removed[v] {
-            return;
+            return None;
         }
-        let best = (self.neighbours(vertex).into_iter())
-            .filter_map(|into| Some((self.cost(vertex, into)?, into)))
-            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        if let Some((cost, into)) = best {
-            self.queue.push(Candidate {
-                cost,
-                vertex,
-                into,
-                version: self.version[v],
-            });
+        let beside = self.neighbours(vertex);
+        let length2 = |into: u32| (self.points[into as usize] - self.points[v]).norm_squared();
+        let mut by_length: Vec<(f64, u32)> = beside.iter().map(|&n| (length2(n), n)).collect();
+        by_length.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut best: Option<(f64, u32)> = None;
+        for (length2, into) in by_length {
+            // A collapse costs no less than the length of its edge.
+            if best.is_some_and(|(cost, _)| length2 > cost) {
+                break;
+            }
+            let Some(cost) = self.cost(vertex, into, &beside, length2) else {
+                continue;
+            };
+            let cheaper = |(known, other): (f64, u32)| {
+                cost.total_cmp(&known).then(into.cmp(&other)) == Ordering::Less
+            };
+            if best.is_none_or(cheaper) {
+                best = Some((cost, into));
+            }
         }
+        best.map(|(cost, into)| Candidate {
+            cost,
+            vertex,
+            into,
+            version: self.version[v],
+        })
     }
 
     fn neighbours(&self, vertex: u32) -> Vec<u32> {
-        let mut found: Vec<u32> = (self.around[vertex as usize].iter())
-            .flat_map(|&face| self.triangles[face as usize])
-            .filter(|&other| other != vertex)
-            .collect();
+        let mut found = Vec::with_capacity(2 * self.around[vertex as usize].len());
+        for &face in &self.around[vertex as usize] {
+            let others = self.triangles[face as usize].into_iter();
+            found.extend(others.filter(|&other| other != vertex));
+        }
         found.sort_unstable();
         found.dedup();
         found
     }
 
-    /// What the collapse costs; `None` where it would change topology, flip or squeeze a face.
-    fn cost(&self, vertex: u32, into: u32) -> Option<f64> {
+    /// What the collapse along an edge of this squared length costs, between a vertex with these neighbours and one of them;
+    /// `None` where it would change topology, flip or squeeze a face.
+    fn cost(&self, vertex: u32, into: u32, beside: &[u32], length2: f64) -> Option<f64> {
         let shared = (self.around[vertex as usize].iter())
             .filter(|&&face| self.triangles[face as usize].contains(&into))
             .count();
         if self.on_boundary[vertex as usize] && !(self.on_boundary[into as usize] && shared == 1) {
             return None;
         }
-        let beside = self.neighbours(vertex);
-        let common: Vec<u32> = (self.neighbours(into).into_iter())
-            .filter(|other| beside.binary_search(other).is_ok())
-            .collect();
-        if common.len() != shared || shared > 2 {
+        if shared > 2 {
+            return None;
+        }
+        let mut common = [0; 2];
+        let mut count = 0;
+        for &face in &self.around[into as usize] {
+            for other in self.triangles[face as usize] {
+                let is_new = other != into && !common[..count].contains(&other);
+                if is_new && beside.binary_search(&other).is_ok() {
+                    if count == shared {
+                        return None;
+                    }
+                    common[count] = other;
+                    count += 1;
+                }
+            }
+        }
+        if count != shared {
             return None;
         }
         // A vertex that two faces are left of would fold them onto each other.
-        let folds = |&v: &u32| !self.on_boundary[v as usize] && self.around[v as usize].len() <= 3;
-        if common.iter().any(folds) {
+        let folds =
+            |&v: &u32| !self.on_boundary[v as usize] && self.around[v as usize].len() <= FEW;
+        if common[..count].iter().any(folds) {
             return None;
         }
         let point = self.points[vertex as usize];
@@ -207,7 +260,6 @@ impl<'a> Collapsing<'a> {
             let (nearest, _) = closest(&after, &point);
             off_surface = off_surface.min((nearest - point).norm_squared());
         }
-        let length2 = (self.points[into as usize] - point).norm_squared();
         let cost = length2 + SURFACE_WEIGHT * off_surface;
         cost.is_finite().then_some(cost)
     }
@@ -218,6 +270,7 @@ impl<'a> Collapsing<'a> {
 
     fn collapse(&mut self, vertex: u32, into: u32) {
         let ring = self.neighbours(vertex);
+        let few_before = self.around[into as usize].len() <= FEW;
         let mut homeless = vec![vertex];
         let mut homes = Vec::new();
         for face in std::mem::take(&mut self.around[vertex as usize]) {
@@ -235,7 +288,26 @@ impl<'a> Collapsing<'a> {
             }
         }
         self.removed[vertex as usize] = true;
-        for lodger in homeless {
+        if self.places {
+            self.house(&homeless, &homes);
+        }
+        let few = |&v: &u32| self.around[v as usize].len() <= FEW;
+        let all = few_before || ring.iter().any(few);
+        // Beside the ring only the link of `into` grew: collapses into it may be off, others are as good as before.
+        let beside = self.neighbours(into).into_iter();
+        let lapsed = |&v: &u32| all || self.best_into[v as usize] == into;
+        let mut touched: Vec<u32> = beside.filter(lapsed).collect();
+        touched.extend(ring);
+        touched.sort_unstable();
+        touched.dedup();
+        for v in touched {
+            self.offer(v);
+        }
+    }
+
+    /// Gives each vertex a place in the nearest of these faces.
+    fn house(&mut self, homeless: &[u32], homes: &[u32]) {
+        for &lodger in homeless {
             let point = self.points[lodger as usize];
             let nearest = (homes.iter())
                 .map(|&face| {
@@ -249,13 +321,6 @@ impl<'a> Collapsing<'a> {
                 self.place[lodger as usize] = (face, weights);
                 self.residents[face as usize].push(lodger);
             }
-        }
-        let mut touched: HashSet<u32> = ring.iter().copied().collect();
-        touched.extend(self.neighbours(into));
-        let mut touched: Vec<u32> = touched.into_iter().collect();
-        touched.sort_unstable();
-        for v in touched {
-            self.offer(v);
         }
     }
 }

@@ -157,9 +157,16 @@ fn the_road_follows_from_what_the_image_is() {
 }
 
 #[test]
-fn labels_are_no_labels_of_a_gamma_camera() {
-    let whole = facts(&counts(), Some(Modality::NuclearMedicine));
-    assert_eq!(proposed(&whole).preparation.road, Road::Spect);
+fn few_whole_counts_are_no_labels() {
+    let few = facts(&counts(), Some(Modality::NuclearMedicine));
+    assert_eq!(few.labels, Some(vec![5, 100, 120]));
+    assert_eq!(proposed(&few).preparation.road, Road::Spect);
+    // Noise of few counts, of a file that names no machine.
+    let noise = super::phantom::image([4.0, 4.0], |p, instant| {
+        let hash = (p.x * 12.9 + p.y * 78.2 + p.z * 37.7 + instant as f64).sin() * 43_758.5;
+        (hash.fract().abs() * 12.0).floor() as f32
+    });
+    assert_eq!(facts(&noise, None).labels, None);
 }
 
 #[test]

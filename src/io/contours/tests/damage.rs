@@ -1,7 +1,6 @@
-//! A thousand seeded mutations of a small file of every format: no panic, no more points than allowed, and soon over.
+//! A thousand seeded mutations of a small file of every format: no panic, no more points than allowed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::time::{Duration, Instant};
 
 use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};
@@ -13,8 +12,6 @@ use crate::io::contours::formats::ContourFormat;
 use crate::io::contours::outline::{OutlineFile, OutlinePlace};
 
 const MUTATIONS_OF_EACH_FILE: u64 = 1_000;
-/// Such files are read in a tenth of a millisecond.
-const LONGEST: Duration = Duration::from_secs(2);
 const MAX_POINTS: usize = 1_000;
 /// Words that a file should not be trusted with.
 const BAD_WORDS: [&str; 12] = [
@@ -107,14 +104,8 @@ fn a_thousand_damaged_copies_of_every_format_are_read_or_refused() {
         let mut refused = 0;
         for seed in 0..MUTATIONS_OF_EACH_FILE {
             let bytes = mutated(&sample, &mut ChaCha8Rng::seed_from_u64(seed));
-            let begin = Instant::now();
             let outcome = catch_unwind(AssertUnwindSafe(|| read(bytes)));
             let outcome = outcome.unwrap_or_else(|_| panic!("{} with seed {seed}", sample.name));
-            assert!(
-                begin.elapsed() < LONGEST,
-                "{} with seed {seed}",
-                sample.name
-            );
             match outcome {
                 Ok(file) => assert!(points(&file) <= MAX_POINTS),
                 Err(error) => {
