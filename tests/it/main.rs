@@ -7,9 +7,13 @@ mod cli;
 #[cfg(test)]
 mod clinical_oracles;
 #[cfg(test)]
+mod damaged_images;
+#[cfg(test)]
 mod formats;
 #[cfg(test)]
 mod golden;
+#[cfg(test)]
+mod known_trouble;
 #[cfg(test)]
 mod medial_noise;
 #[cfg(test)]
@@ -24,6 +28,8 @@ mod oracles;
 mod panels;
 #[cfg(test)]
 mod patches;
+#[cfg(test)]
+mod privacy;
 #[cfg(test)]
 mod real_data;
 #[cfg(test)]
@@ -58,5 +64,7 @@ mod robustness;
 mod screenshots;
 #[cfg(test)]
 mod shared;
+#[cfg(test)]
+mod small_images;
 #[cfg(test)]
 mod window;
