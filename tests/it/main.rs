@@ -21,6 +21,8 @@ mod motions_and_shapes;
 #[cfg(test)]
 mod obj_by_tobj;
 #[cfg(test)]
+mod one_patient_two_formats;
+#[cfg(test)]
 mod opening;
 #[cfg(test)]
 mod oracles;
