@@ -19,8 +19,8 @@ use self::search::{Searched, Words};
 use crate::shared::shared_data;
 
 /// What the descriptions of the shared images call seeded, and what else in these files points to a person: birth date,
-/// age, address, date of the study, the root of the unique names.
-const SEEDED: [&str; 13] = [
+/// age, address, date of the study, descriptions as people type them, the root of the unique names.
+const SEEDED: [&str; 17] = [
     "SEEDED",
     "HOSPITAL ZQX",
     "ALPHA SEEDED",
@@ -32,8 +32,12 @@ const SEEDED: [&str; 13] = [
     "07231931",
     "077Y",
     "19700102",
+    "19700103",
     "1.2.826.0.1.3680043",
     "SYNTHETIC NM",
+    "STRESS GATED SA",
+    "REST GATED SA",
+    "synthetic wrap",
 ];
 
 /// Folders and files that hold them.

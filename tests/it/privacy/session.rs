@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
-use cardiomorph::panes::{Command, FileCommand};
+use cardiomorph::panes::{Command, FileCommand, Pane};
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT;
 
@@ -78,6 +78,16 @@ fn exported(harness: &mut Harness<'_, App>, folder: &Path) {
         exports.push(FileCommand::ExportPatchFigure(path(&format!(
             "patch.{ending}"
         ))));
+    }
+    let panes = [
+        Pane::POSE_MAP,
+        Pane::DEFORMATION_MAP,
+        Pane::BULLS_EYE,
+        Pane::CURVES,
+    ];
+    for (number, pane) in panes.into_iter().enumerate() {
+        let figure = path(&format!("pane_{number}.png"));
+        exports.push(FileCommand::ExportPaneFigure(pane, figure));
     }
     for export in exports {
         harness.state_mut().push(Command::File(export));
