@@ -25,7 +25,7 @@ const LONGEST_READ: Duration = Duration::from_secs(2);
 /// All that a child may have, its own code included.
 const ADDRESS_SPACE_KIB: u64 = 1 << 20;
 /// What the reading of files of a few thousand bytes may add to it: what one thread's allocator keeps, not what headers say.
-const MOST_GROWN_KIB: u64 = 128 << 10;
+const MOST_GROWN_KIB: u64 = 16 << 10;
 /// Names the file that a child is to damage.
 const IN_CHILD: &str = "CARDIOMORPH_DAMAGED_IMAGES_CHILD";
 

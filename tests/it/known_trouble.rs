@@ -204,7 +204,10 @@ fn the_table_names_every_report_of_the_list() {
             continue;
         };
         let report = &REPORTS[number - 1];
-        for word in text.split([' ', ',', ':', ';', '(', ')']) {
+        for word in text
+            .replace("/#", " #")
+            .split([' ', ',', ':', ';', '(', ')'])
+        {
             let digits = word.rsplit_once('#').map(|(_, digits)| digits);
             // Pull requests that mended a report are no reports.
             let mended = ["#296", "#496"].contains(&word);
