@@ -133,6 +133,8 @@ fn nothing_of_a_patient_is_on_screen_in_exports_or_in_what_is_kept_of_a_session(
         assert!(searched.found.is_empty(), "{place}: {:#?}", searched.found);
         assert!(shown.len() > 200, "{place}: {shown}");
         files += searched.files.len();
+        let kib = searched.bytes / 1024;
+        println!("{place}: {} files of {kib} KiB", searched.files.len());
     }
     assert!(files > 20, "{files} files were exported");
 }
