@@ -7,15 +7,21 @@ mod cli;
 #[cfg(test)]
 mod clinical_oracles;
 #[cfg(test)]
+mod damaged_images;
+#[cfg(test)]
 mod formats;
 #[cfg(test)]
 mod golden;
+#[cfg(test)]
+mod known_trouble;
 #[cfg(test)]
 mod medial_noise;
 #[cfg(test)]
 mod motions_and_shapes;
 #[cfg(test)]
 mod obj_by_tobj;
+#[cfg(test)]
+mod one_patient_two_formats;
 #[cfg(test)]
 mod opening;
 #[cfg(test)]
@@ -24,6 +30,8 @@ mod oracles;
 mod panels;
 #[cfg(test)]
 mod patches;
+#[cfg(test)]
+mod privacy;
 #[cfg(test)]
 mod real_contours;
 #[cfg(test)]
@@ -62,6 +70,8 @@ mod robustness;
 mod screenshots;
 #[cfg(test)]
 mod shared;
+#[cfg(test)]
+mod small_images;
 #[cfg(test)]
 mod synthetic_spect;
 #[cfg(test)]

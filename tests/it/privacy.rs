@@ -19,8 +19,8 @@ use self::search::{Searched, Words};
 use crate::shared::shared_data;
 
 /// What the descriptions of the shared images call seeded, and what else in these files points to a person: birth date,
-/// age, address, date of the study, the root of the unique names.
-const SEEDED: [&str; 13] = [
+/// age, address, date of the study, descriptions as people type them, the root of the unique names.
+const SEEDED: [&str; 17] = [
     "SEEDED",
     "HOSPITAL ZQX",
     "ALPHA SEEDED",
@@ -32,21 +32,27 @@ const SEEDED: [&str; 13] = [
     "07231931",
     "077Y",
     "19700102",
+    "19700103",
     "1.2.826.0.1.3680043",
     "SYNTHETIC NM",
+    "STRESS GATED SA",
+    "REST GATED SA",
+    "synthetic wrap",
 ];
 
-/// Folders and files that hold them.
+/// Folders and files that hold them. The first are taken the whole way, to reports and figures; with the others, parts of
+/// the first, it ends with what is read of them.
 const INPUTS: [&str; 8] = [
     "gated_spect_dicom",
+    "acdc_cine_dicom",
+    "volume_quirks/lab_extension_phi.nii.gz",
+    "gated_spect_dicom/p2/gated_rle.dcm",
     "gated_spect_dicom/p1",
     "gated_spect_dicom/p1/IM000003",
-    "gated_spect_dicom/p2/gated_rle.dcm",
-    "acdc_cine_dicom",
     "acdc_cine_dicom/study",
     "volume_quirks",
-    "volume_quirks/lab_extension_phi.nii.gz",
 ];
+const THE_WHOLE_WAY: usize = 4;
 
 fn seeded() -> Words {
     Words::new(SEEDED)
@@ -123,8 +129,8 @@ impl Run {
         output.status.success()
     }
 
-    /// Every command that takes a study or images, on one input. Whether a report was written.
-    fn all_commands(&mut self, input: &str, name: &str) -> bool {
+    /// Every command that only reads images, or makes meshes and measures of them.
+    fn reading_commands(&mut self, input: &str, name: &str) {
         let labels = ["--labels", "cavity=1,wall=2"];
         for more in [&[][..], &["--json"]] {
             self.command(&[&["image", input], more].concat());
@@ -138,6 +144,11 @@ impl Run {
             let all = ["measure", input, "--out", out.to_str().unwrap()];
             self.command(&[&all, more].concat());
         }
+    }
+
+    /// Reports of images and of the meshes that were made of them, and figures of the first of these that has a report.
+    /// Whether there was one.
+    fn analysing_commands(&mut self, input: &str, name: &str) -> bool {
         let made = [
             input.to_owned(),
             text(&self.out(&format!("{name}_mesh"))),
@@ -148,11 +159,14 @@ impl Run {
             let out = |what: &str| text(&self.out(&format!("{name}_{number}_{what}")));
             let (report, rule) = (out("report"), out("rule.json"));
             let written = self.command(&["analyze", study, "--out", &report]);
-            analysed |= written;
             self.command(&["learn", study, "--out", &rule]);
             // Of a study that cannot be analysed a figure is refused like any other.
-            let endings = if written { 3 } else { 1 };
-            for ending in ["svg", "pdf", "png"].into_iter().take(endings) {
+            let endings = match (written, analysed) {
+                (true, false) => &["svg", "pdf", "png"][..],
+                _ => &["svg"],
+            };
+            analysed |= written;
+            for ending in endings {
                 let figure = text(&self.out(&format!("{name}_{number}_figure.{ending}")));
                 self.command(&["figure", study, "--out", &figure, "--size", "360x300"]);
                 let patch = text(&self.out(&format!("{name}_{number}_patch.{ending}")));
@@ -188,7 +202,11 @@ fn nothing_of_a_patient_is_in_what_any_command_prints_or_writes() {
     let mut analysed = 0;
     for (number, place) in INPUTS.iter().enumerate() {
         let input = text(&shared_data(&format!("images/{place}")));
-        analysed += usize::from(run.all_commands(&input, &format!("i{number}")));
+        let name = format!("i{number}");
+        run.reading_commands(&input, &name);
+        if number < THE_WHOLE_WAY {
+            analysed += usize::from(run.analysing_commands(&input, &name));
+        }
     }
     let searched = run.searched(&seeded());
     println!(
@@ -200,7 +218,7 @@ fn nothing_of_a_patient_is_in_what_any_command_prints_or_writes() {
     );
     assert!(searched.found.is_empty(), "{:#?}", searched.found);
     // A search of nothing would find nothing.
-    assert!(analysed >= 4 && run.done > 60, "{analysed} {}", run.done);
+    assert!(analysed >= 2 && run.done > 40, "{analysed} {}", run.done);
     for ending in [".csv", ".json", ".ply", ".toml", ".pdf", ".svg", ".png"] {
         assert!(
             searched.files.iter().any(|file| file.ends_with(ending)),
@@ -223,7 +241,9 @@ fn the_search_finds_a_name_that_is_written_in_every_kind_of_file() {
         let to = input.path().join(format!("Zebulon-Quux_{part}.nii.gz"));
         fs::copy(from, to).unwrap();
     }
-    assert!(run.all_commands(input.path().to_str().unwrap(), "named"));
+    let path = input.path().to_str().unwrap();
+    run.reading_commands(path, "named");
+    assert!(run.analysing_commands(path, "named"));
     let searched = run.searched(&Words::new(["ZEBULON^QUUX"]));
     let told = |needed: &str| {
         assert!(

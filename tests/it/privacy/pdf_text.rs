@@ -130,7 +130,8 @@ fn literal(stream: &[u8], at: &mut usize) -> Vec<u8> {
 
 #[test]
 fn glyphs_are_read_back_as_letters() {
-    let table = b"1 beginbfchar\n<0001> <0053>\n<0008> <00650065>\n<0028> <0064>\nendbfchar".to_vec();
+    let table =
+        b"1 beginbfchar\n<0001> <0053>\n<0008> <00650065>\n<0028> <0064>\nendbfchar".to_vec();
     let drawn = b"BT /f0 9 Tf [(\\000\\001\\000\\b)-3.2(\\000\\()]TJ <0001> Tj ET".to_vec();
     assert_eq!(shown_texts(&[table, drawn]), ["SeedS"]);
 }
