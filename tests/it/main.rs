@@ -25,6 +25,8 @@ mod panels;
 #[cfg(test)]
 mod patches;
 #[cfg(test)]
+mod real_cine;
+#[cfg(test)]
 mod real_contours;
 #[cfg(test)]
 mod real_data;
