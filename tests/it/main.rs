@@ -33,6 +33,8 @@ mod patches;
 #[cfg(test)]
 mod privacy;
 #[cfg(test)]
+mod real_cine;
+#[cfg(test)]
 mod real_contours;
 #[cfg(test)]
 mod real_data;

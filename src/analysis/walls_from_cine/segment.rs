@@ -42,9 +42,9 @@ const AWAY: f64 = 0.03;
 ///    within the convex hull of the path.
 /// 4. The epicardium is the closed path around it up to which there is muscle (see `epicardium`).
 /// 5. Outlines set by hand (`edits`, in the plane of a slice) take the place of those found, and move their neighbours.
-/// 6. Slices at the base that muscle does not surround at an instant are left out of it.
+/// 6. Slices at the base that lie above the valve at an instant are left out of it (see `valve_plane`).
 ///
-/// `points` needs blood, apex and base. The result lies in the planes of the slices, in the world of the image.
+/// `points` needs blood, apex and base, as they are at the first instant. The result lies in the planes of the slices, in the world of the image.
 ///
 /// # Errors
 /// If a point is missing or wrong, the blood is dark or without edge, an edit has no place; or if it was asked to stop.
@@ -63,16 +63,22 @@ pub fn segment_cine(
     progress.begin_phase("finding the endocardium", 0.5, 0.8);
     progress.expect_steps(3 * slices.count() * slices.instants());
     settle_endocardium(&mut beats, &params, progress)?;
-    corrected(
-        &mut beats,
-        &edits,
-        ContourPart::Endocardium,
-        &slices,
-        &params,
-    );
     progress.begin_phase("finding the epicardium", 0.8, 1.0);
-    progress.expect_steps(3 * slices.count() * slices.instants());
+    let rounds = if edits.is_empty() { 3 } else { 6 };
+    progress.expect_steps(rounds * slices.count() * slices.instants());
     settle_epicardium(&mut beats, &params, progress)?;
+    // Before anything is moved: a correction of one instant would look like a change of the wall.
+    let below = slices_below_valve(&beats);
+    if !edits.is_empty() {
+        corrected(
+            &mut beats,
+            &edits,
+            ContourPart::Endocardium,
+            &slices,
+            &params,
+        );
+        settle_epicardium(&mut beats, &params, progress)?;
+    }
     corrected(
         &mut beats,
         &edits,
@@ -80,7 +86,7 @@ pub fn segment_cine(
         &slices,
         &params,
     );
-    Ok(outlined(&slices, &beats, &edits))
+    Ok(outlined(&slices, &beats, &edits, &below))
 }
 
 /// The endocardium of all slices, each from the one before, beginning at the marked point.
@@ -171,8 +177,12 @@ fn brightest(slices: &Slices<'_>, slice: usize, near: Place, tones: &Tones) -> P
 }
 
 /// Contours of all that was found and set.
-fn outlined(slices: &Slices<'_>, beats: &[SliceBeat], edits: &[Edit<'_>]) -> CineSegmentation {
-    let below = slices_below_valve(beats);
+fn outlined(
+    slices: &Slices<'_>,
+    beats: &[SliceBeat],
+    edits: &[Edit<'_>],
+    below: &[usize],
+) -> CineSegmentation {
     let mut contours = Vec::new();
     let mut without_cavity = 0;
     for (instant, &count) in below.iter().enumerate() {
@@ -208,7 +218,7 @@ fn outlined(slices: &Slices<'_>, beats: &[SliceBeat], edits: &[Edit<'_>]) -> Cin
     let found = contours.len();
     contours.extend(edits.iter().map(|edit| edit.contour.clone()));
     CineSegmentation {
-        notices: notices(slices, &below, [found, edits.len(), without_cavity]),
+        notices: notices(slices, below, [found, edits.len(), without_cavity]),
         contours,
     }
 }
@@ -230,7 +240,7 @@ fn notices(
     if left > 0 {
         let least = below.iter().min().copied().unwrap_or(0);
         notices.push(Notice::info(format!(
-            "slices at the base that muscle does not surround are left out: up to {} at {left} instants",
+            "slices at the base that lie above the valve are left out: up to {} at {left} instants",
             slices.count() - least
         )));
     }

@@ -52,8 +52,7 @@ fn position(slice: usize, [x, y]: [f64; 2]) -> Point3 {
 }
 
 /// A ventricle with a right ventricle at one side, lung at the other, and two papillary muscles within.
-fn tissue(slice: usize, instant: usize, [x, y]: [f64; 2]) -> f64 {
-    let [inner, outer] = radii_mm(slice, instant);
+fn tissue(slice: usize, [inner, outer]: [f64; 2], [x, y]: [f64; 2]) -> f64 {
     let middle = middle_mm(slice);
     let (x, y) = (x - middle[0], y - middle[1]);
     let radius = x.hypot(y);
@@ -73,6 +72,11 @@ fn tissue(slice: usize, instant: usize, [x, y]: [f64; 2]) -> f64 {
 
 /// Values of pixels as means over 3 × 3 places within each, with a little noise that is the same each time.
 fn phantom(noise: f64) -> Image {
+    image_of(noise, radii_mm)
+}
+
+/// The phantom with other radii.
+fn image_of(noise: f64, radii: impl Fn(usize, usize) -> [f64; 2]) -> Image {
     let mut seed = 1_u64;
     let mut random = move || {
         seed = seed
@@ -88,7 +92,8 @@ fn phantom(noise: f64) -> Image {
                     let within = [n % 3, n / 3].map(|n| (f64::from(n) - 1.0) / 3.0);
                     let place =
                         [f64::from(i) + within[0], f64::from(j) + within[1]].map(|n| n * PIXEL_MM);
-                    tissue(SLICES - 1 - k, instant, place)
+                    let slice = SLICES - 1 - k;
+                    tissue(slice, radii(slice, instant), place)
                 });
                 values.push((parts.sum::<f64>() / 9.0 + noise * random()) as f32);
             }
@@ -197,6 +202,29 @@ fn a_beating_ventricle_has_its_outlines_volumes_and_ejection_fraction() {
     );
     let [own, expected] = [volumes, [truth(0), truth(INSTANTS / 2)]].map(|v| 1.0 - v[1] / v[0]);
     assert!((own - expected).abs() < 0.02, "{own} {expected}");
+}
+
+#[test]
+fn a_slice_above_the_valve_in_systole_has_no_outlines_there() {
+    // In systole the highest slice shows the atrium, wide and with a thin wall.
+    let above = |slice: usize, instant: usize| slice == SLICES - 1 && (4..=8).contains(&instant);
+    let image = image_of(40.0, |slice, instant| {
+        if above(slice, instant) {
+            [23.5, 27.5]
+        } else {
+            radii_mm(slice, instant)
+        }
+    });
+    let found = found(&image, &points(), &[]).unwrap();
+    for instant in 0..INSTANTS {
+        let own = found.contours.iter().filter(|c| c.instant == instant);
+        let highest = own.map(slice_of).max().unwrap();
+        assert_eq!(
+            highest < SLICES - 1,
+            above(SLICES - 1, instant),
+            "{instant}"
+        );
+    }
 }
 
 #[test]
