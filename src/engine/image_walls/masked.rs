@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use super::{ImageWallSettings, ImageWalls};
 use crate::analysis::preparation::{Preparation, Road};
 use crate::engine::mask_walls::{MaskWallSettings, MaskWalls, mask_walls};
-use crate::io::{Limits, PassedOver, is_mask_file};
+use crate::io::{Limits, OpenError, PassedOver, is_mask_file};
 use crate::progress::{Progress, Stopped};
 
 /// Adds the walls of all masks below paths, and passes over the files beside them from then on. A file that is a path itself is
@@ -49,11 +49,9 @@ pub(super) fn add(
         passed_over.add_files_of(folder);
     }
     // That a folder has no masks is no news: it may have images.
-    let (of_masks, of_folders): (Vec<_>, Vec<_>) = errors
-        .into_iter()
-        .partition(|error| error.subject.is_some() || error.path.is_file());
+    let is_of_masks = |error: &OpenError| error.subject.is_some() || error.path.is_file();
+    let of_masks: Vec<OpenError> = errors.into_iter().filter(is_of_masks).collect();
     let wrong = of_masks.iter().map(|error| error.path.clone()).collect();
-    drop(of_folders);
     walls.opened.errors.extend(of_masks);
     walls.opened.notices.extend(notices);
     walls.opened.study.subjects.extend(study.subjects);
