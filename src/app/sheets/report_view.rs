@@ -69,6 +69,7 @@ mod tests {
                 path: "/study/bad.ply".into(),
                 reason: "byte 17: the header does not end".to_owned(),
             }],
+            ..OpeningReport::default()
         };
         state.show_study(study_of(vec![subject_with_frames("a", 5)]), report);
         let entries = report_entries(&state);
