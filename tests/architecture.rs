@@ -39,7 +39,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "picture",
         &[
-            "units", "progress", "mesh", "study", "analysis", "report", "engine", "render",
+            "units", "progress", "mesh", "study", "analysis", "report", "render",
         ],
     ),
     ("ui", &["study", "picture"]),

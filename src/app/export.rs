@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::thickening::ThickeningSettings;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::ViewMode;
 use crate::engine::{
-    Engine, Store, TableSettings, ThickeningSettings, VerdictQuery, distance_words, file_name,
-    replace_results, tables_of_study,
+    Engine, Store, TableSettings, VerdictQuery, distance_words, file_name, replace_results,
+    tables_of_study,
 };
 use crate::picture::figure::{
     FigureLook, FigureOrder, FigureSubject, FigureView, PatchOrder, check_figure_size,

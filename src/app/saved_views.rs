@@ -261,7 +261,7 @@ mod tests {
         let mut thickening = state.document.thickening;
         thickening.patches.extent_threshold = 0.5;
         let subject = &state.document.study().subjects[1];
-        let quantity = BullsEyeQuantity::Ratio;
+        let quantity = BullsEyeQuantity::ThicknessRatio;
         let name = &state.document.study().name;
         SavedView::of(name, subject, 2.5, camera, &scene, quantity, thickening)
     }
@@ -278,7 +278,7 @@ mod tests {
         assert_eq!(document.quantity, Quantity::AreaRatio);
         assert_eq!(document.limits(), Some([0.8, 1.25]));
         assert_eq!(document.part, Some(WallPart::Patch(1)));
-        assert_eq!(document.bulls_eye, BullsEyeQuantity::Ratio);
+        assert_eq!(document.bulls_eye, BullsEyeQuantity::ThicknessRatio);
         assert_eq!(document.thickening.patches.extent_threshold, 0.5);
         assert!(document.visibility.atoms && document.visibility.wireframe);
         assert_eq!(document.viewpoint.half_height, Some(40.0));

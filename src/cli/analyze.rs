@@ -80,7 +80,8 @@ fn analyzed_into(
         let (store, study, results) = &work;
         let mut deliver = |files| results.write(files);
         let folder = results.path();
-        AnalysisTables::of(store, study, &of, folder, &mut deliver, progress).map_err(interrupted)
+        AnalysisTables::computed(store, study, &of, folder, &mut deliver, progress)
+            .map_err(interrupted)
     })?;
     if let Some(reason) = &tables.without_deformations {
         say(&format!("cardiomorph: no deformation map: {reason}"));

@@ -6,23 +6,25 @@ use serde_json::{Value, json};
 
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
+use crate::analysis::embedding::PoseMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::pose_distances::BeatShares;
-use crate::analysis::verdicts::{Finding, Verdicts};
+use crate::analysis::verdicts::{Finding, SubjectThickening, Verdicts};
 use crate::cli::figure::{Shot, Studio};
 use crate::cli::input::interrupted;
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::run_work;
 use crate::engine::{
-    ExportFile, PoseMap, ResultFolder, Store, SubjectThickening, TableSettings,
-    WallThickeningQuery, distance_words, file_names, share_words, thickening_words,
+    ExportFile, ResultFolder, Store, TableSettings, WallThickeningQuery, distance_words,
+    file_names, share_words,
 };
 use crate::picture::figure::Figure;
 use crate::picture::page::{FigureFonts, Page, PageFormat, pdf_file};
 use crate::picture::report::{REPORT_WIDTH_MM, ReportOrder, report_pages, report_settings};
 use crate::picture::{MedialSettings, PictureTheme, Quantity, SceneSettings};
 use crate::progress::Progress;
+use crate::report::thickening_words;
 use crate::study::Study;
 
 /// Size of the figures of subjects: two side by side on a page at 300 dots per inch.

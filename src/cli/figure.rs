@@ -5,7 +5,8 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::Verdicts;
+use crate::analysis::thickening::ThickeningSettings;
+use crate::analysis::verdicts::{SubjectThickening, Verdicts};
 use crate::cli::figure_args::FigureArgs;
 use crate::cli::input::{answered, measured, opened_study, store};
 use crate::cli::letters::say_missing_letters;
@@ -13,18 +14,15 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::words::{ThemeWord, ViewWord};
 use crate::cli::work::run_work;
-use crate::engine::{
-    ExportFile, Store, SubjectThickening, ThickeningSettings, VerdictQuery, WallThickeningQuery,
-    write_files,
-};
+use crate::engine::{ExportFile, Store, VerdictQuery, WallThickeningQuery, write_files};
 use crate::picture::figure::{
     Figure, FigureOrder, FigureSubject, FigureView, MIN_PATCH_SIZE, PatchOrder, rendered_figure,
     rendered_patch_figure,
 };
 use crate::picture::page::{FigureFonts, PageFormat};
 use crate::picture::{
-    BullsEyeQuantity, CohortLimits, MedialSettings, PreparedMedial, PreparedSubject, Quantity,
-    SceneSettings, SubjectExtras, SubjectMedial, SurfaceScalars, reference_frame,
+    BullsEyeQuantity, CohortColourRanges, MedialSettings, PreparedMedial, PreparedSubject,
+    Quantity, SceneSettings, SubjectExtras, SubjectMedial, SurfaceScalars, reference_frame,
 };
 use crate::render::{GeometryPose, Headless};
 use crate::study::{Study, Subject};
@@ -204,7 +202,7 @@ impl ChosenScene {
 
     fn over(self, settings: SceneSettings) -> SceneSettings {
         SceneSettings {
-            cohort_limits: settings.cohort_limits,
+            cohort_ranges: settings.cohort_ranges,
             ..self.0
         }
     }
@@ -229,7 +227,7 @@ pub(super) struct Shot {
 pub(super) struct Studio<'a> {
     study: &'a Study,
     measures: &'a [SubjectMeasures],
-    limits: CohortLimits,
+    limits: CohortColourRanges,
     headless: Headless,
     pub(super) fonts: FigureFonts,
 }
@@ -252,7 +250,7 @@ impl<'a> Studio<'a> {
         Ok(Self {
             study,
             measures,
-            limits: CohortLimits::of(study, &references),
+            limits: CohortColourRanges::of(study, &references),
             headless: Headless::new().map_err(CliError::unusable)?,
             fonts: FigureFonts::load().map_err(CliError::unusable)?,
         })
@@ -261,7 +259,7 @@ impl<'a> Studio<'a> {
     /// The usual look with this study's colour range.
     pub(super) fn settings(&self) -> SceneSettings {
         SceneSettings {
-            cohort_limits: self.limits,
+            cohort_ranges: self.limits,
             ..SceneSettings::default()
         }
     }

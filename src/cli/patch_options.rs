@@ -4,10 +4,9 @@ use clap::Args;
 
 use crate::analysis::medial::MedialParams;
 use crate::analysis::medial_space::RatioForm;
-use crate::analysis::thickening::ThickeningParams;
+use crate::analysis::thickening::{ThickeningParams, ThickeningSettings};
 use crate::cli::outcome::CliError;
 use crate::cli::words::RatioWord;
-use crate::engine::ThickeningSettings;
 
 /// How medial spheres are fitted, and which regions are patches.
 #[derive(Clone, Debug, Args)]

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
+use crate::analysis::embedding::PoseMap;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::Verdicts;
-use crate::engine::{EstimatedPose, Interrupted, NoEstimate, PoseMap, Showing, SubjectThickening};
+use crate::analysis::verdicts::{SubjectThickening, Verdicts};
+use crate::engine::{EstimatedPose, Interrupted, NoEstimate, Showing};
 use crate::study::Revision;
 
 use crate::document::interpolated_poses::InterpolatedMotion;

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::thickening::ThickeningSettings;
 use crate::analysis::verdicts::CheckedClassifier;
 use crate::document::ViewMode;
 use crate::document::cohort_sort::CohortSort;
-use crate::engine::{ClassesBy, PoseMapQuery, ThickeningSettings};
+use crate::engine::{ClassesBy, PoseMapQuery};
 use crate::io::{OpenError, OpenedImages};
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
 use crate::study::{CycleTiming, Notice, Revision, Study, Subject};
@@ -20,9 +21,9 @@ use crate::document::visibility::Visibility;
 /// Poses between two frames until the user says otherwise.
 const INTERPOLATED_POSES: u16 = 3;
 
-/// One subject's motion, transported to another subject.
+/// Whose motion is transported to whom, as the user chose it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TransportedMotion {
+pub struct TransportChoice {
     /// Whose motion: index into the study's subjects.
     pub from: usize,
     /// Onto whom.
@@ -45,7 +46,7 @@ pub struct Document {
     /// The second subject of the side-by-side view; `None` lets the program choose.
     pub compare_with: Option<usize>,
     /// The motion that the second subject plays in place of its own.
-    pub transported: Option<TransportedMotion>,
+    pub transported: Option<TransportChoice>,
     /// Poses computed between two frames; 0 blends frames straight.
     pub interpolated_poses: u16,
     /// From where subjects are looked at.
@@ -249,7 +250,7 @@ impl Document {
     }
 
     /// The transported motion that is on screen: it plays beside the subject that it came from.
-    pub fn visible_transport(&self) -> Option<TransportedMotion> {
+    pub fn visible_transport(&self) -> Option<TransportChoice> {
         self.transported.filter(|motion| {
             self.subject == motion.from && self.compared_on_screen() == Some(motion.onto)
         })

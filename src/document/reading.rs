@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use crate::analysis::transport::Reference;
-use crate::document::document::{Document, OpeningReport, TransportedMotion};
+use crate::document::document::{Document, OpeningReport, TransportChoice};
 use crate::document::state::State;
 use crate::study::{ReadSubject, Revision, Study};
 
@@ -126,7 +126,7 @@ fn follow(document: &mut Document, index: &[usize]) {
     let now = |subject: usize| index.get(subject).copied().unwrap_or(subject);
     document.subject = now(document.subject);
     document.compare_with = document.compare_with.map(now);
-    document.transported = document.transported.map(|motion| TransportedMotion {
+    document.transported = document.transported.map(|motion| TransportChoice {
         from: now(motion.from),
         onto: now(motion.onto),
     });
@@ -182,11 +182,11 @@ mod tests {
         state.document.position = 1.5;
         assert!(state.add_read(&[read("d")], &mut fresh));
         state.document.compare_with = Some(1);
-        state.document.transported = Some(TransportedMotion { from: 0, onto: 1 });
+        state.document.transported = Some(TransportChoice { from: 0, onto: 1 });
         assert!(state.add_read(&[read("a"), read("b")], &mut fresh));
         assert_eq!((selected(&state), state.document.position), ("c", 1.5));
         assert_eq!(state.document.compare_with, Some(3));
-        let motion = TransportedMotion { from: 2, onto: 3 };
+        let motion = TransportChoice { from: 2, onto: 3 };
         assert_eq!(state.document.transported, Some(motion));
         assert!(state.document.study().unread.is_empty());
         let revision = state.document.study().revision;

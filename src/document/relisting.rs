@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::transport::Reference;
 use crate::study::Study;
 
-use crate::document::document::{Document, TransportedMotion, cycle_share, position_at_phase};
+use crate::document::document::{Document, TransportChoice, cycle_share, position_at_phase};
 
 impl Document {
     /// Shows an edited study, in which the same subjects have the same indices.
@@ -26,7 +26,7 @@ impl Document {
         self.compare_with = self.compare_with.and_then(place);
         self.transported = self.transported.and_then(|motion| {
             let [from, onto] = [place(motion.from)?, place(motion.onto)?];
-            Some(TransportedMotion { from, onto })
+            Some(TransportChoice { from, onto })
         });
         if let Some(transport) = &mut self.map.distances.transport
             && let Reference::Subject(index) = transport.reference

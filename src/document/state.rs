@@ -6,11 +6,12 @@ use std::sync::Arc;
 
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
+use crate::analysis::embedding::PoseMap;
 use crate::analysis::measures::{SubjectMeasures, phases_of};
 use crate::analysis::transport::Reference;
 use crate::document::ErrorCard;
 use crate::document::ThemeChoice;
-use crate::engine::{EstimatedPose, NoEstimate, PoseMap, Showing};
+use crate::engine::{EstimatedPose, NoEstimate, Showing};
 use crate::picture::figure::FigureLook;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Revision, Study, Subject};

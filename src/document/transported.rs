@@ -7,7 +7,7 @@ use crate::analysis::transport::{TransportParams, TransportedMotion as Transport
 use crate::mesh::Point3;
 use crate::study::{Revision, Subject};
 
-use crate::document::document::{Document, TransportedMotion, cycle_share, position_at_phase};
+use crate::document::document::{Document, TransportChoice, cycle_share, position_at_phase};
 
 /// How the transport of a motion stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,7 +27,7 @@ pub enum TransportState {
 #[derive(Clone, Debug)]
 pub struct TransportedSubject {
     /// Whose motion on which subject, of which state of the study, with which settings.
-    pub key: (Revision, TransportedMotion, TransportParams),
+    pub key: (Revision, TransportChoice, TransportParams),
     /// What came of it, as the engine gave it, with how it was made.
     pub motion: Arc<Transport>,
     /// The subject with the transported motion: frames of the motion, all else of the subject.
@@ -40,7 +40,7 @@ pub struct TransportedSubject {
 impl TransportedSubject {
     /// A subject with the sequence that the engine gave.
     pub fn new(
-        key: (Revision, TransportedMotion, TransportParams),
+        key: (Revision, TransportChoice, TransportParams),
         motion: &Arc<Transport>,
         from: &Subject,
         onto: &Subject,
@@ -131,7 +131,7 @@ mod tests {
     #[test]
     fn a_motion_transported_to_its_own_subject_has_no_difference() {
         let heart = subject_with_frames("a", 6);
-        let motion = TransportedMotion { from: 0, onto: 1 };
+        let motion = TransportChoice { from: 0, onto: 1 };
         let key = (Revision(1), motion, TransportParams::default());
         let transported = TransportedSubject::new(key, &as_it_is(&heart), &heart, &heart);
         assert_eq!(transported.distances.len(), 6);
@@ -143,7 +143,7 @@ mod tests {
     fn distances_compare_equal_phases_whatever_the_number_of_frames() {
         // The sphere of the tests shrinks by 1 mm a frame: at the same phase, 4 frames are half as far.
         let (fast, slow) = (subject_with_frames("a", 4), subject_with_frames("b", 8));
-        let motion = TransportedMotion { from: 0, onto: 1 };
+        let motion = TransportChoice { from: 0, onto: 1 };
         let key = (Revision(1), motion, TransportParams::default());
         let transported = TransportedSubject::new(key, &as_it_is(&fast), &fast, &slow);
         for (frame, distances) in transported.distances.iter().enumerate() {

@@ -30,7 +30,7 @@ pub enum FileBytes {
     /// In memory.
     Held(Vec<u8>),
     /// Beside its place already, since it may be larger than memory.
-    Passing(PassingFile),
+    Written(PartialFile),
 }
 
 impl From<Vec<u8>> for FileBytes {
@@ -39,15 +39,18 @@ impl From<Vec<u8>> for FileBytes {
     }
 }
 
-/// A file that grows under a passing name beside its place; dropped, it is gone.
+/// A file that grows under a partial name beside its place; dropped, it is gone.
+///
+/// A process that is killed leaves `.cardiomorph-PROCESS-NUMBER.partial` in the folder. Nobody removes such a file: whether its
+/// process still runs is not known for one of another machine on a shared disk.
 #[derive(Debug)]
-pub struct PassingFile {
+pub struct PartialFile {
     place: PathBuf,
-    passing: PathBuf,
+    partial: PathBuf,
     file: BufWriter<File>,
 }
 
-impl PassingFile {
+impl PartialFile {
     /// An empty one, making folders as needed.
     ///
     /// # Errors
@@ -55,10 +58,10 @@ impl PassingFile {
     pub fn create(place: PathBuf) -> Result<Self, String> {
         let made = make_folder(&place).and_then(|()| create_beside(&place));
         match made {
-            Ok((passing, file)) => Ok(Self {
+            Ok((partial, file)) => Ok(Self {
                 file: BufWriter::new(file),
                 place,
-                passing,
+                partial,
             }),
             Err(error) => Err(cannot_write(&error, &place)),
         }
@@ -79,61 +82,61 @@ impl PassingFile {
     }
 
     /// Gives it another place in the same folder than it was made for.
-    pub(super) fn stand_at(&mut self, place: PathBuf) {
+    pub(super) fn set_target(&mut self, place: PathBuf) {
         self.place = place;
     }
 
     /// Gives it its name.
     pub(super) fn finish(&mut self) -> std::io::Result<()> {
         self.file.flush()?;
-        fs::rename(&self.passing, &self.place)
+        fs::rename(&self.partial, &self.place)
     }
 }
 
-impl Drop for PassingFile {
+impl Drop for PartialFile {
     fn drop(&mut self) {
         // Gone already where it has got its name.
-        fs::remove_file(&self.passing).ok();
+        fs::remove_file(&self.partial).ok();
     }
 }
 
 /// Writes every file, making folders as needed, and returns the paths.
 ///
-/// All are written beside their places under passing names first and renamed only then, so that a full disk or a crash
+/// All are written beside their places under partial names first and renamed only then, so that a full disk or a crash
 /// leaves the files that stood there before.
 ///
 /// # Errors
 /// At the first file that cannot be written: why, and which.
 pub fn write_files(files: Vec<ExportFile>) -> Result<Vec<PathBuf>, String> {
     let mut staged = staged(files)?;
-    for passing in &mut staged {
-        let named = passing.finish();
-        named.map_err(|error| cannot_write(&error, &passing.place))?;
+    for partial in &mut staged {
+        let named = partial.finish();
+        named.map_err(|error| cannot_write(&error, &partial.place))?;
     }
-    Ok(staged.iter().map(|passing| passing.place.clone()).collect())
+    Ok(staged.iter().map(|partial| partial.place.clone()).collect())
 }
 
 /// Files that are whole, but have their names still to come.
 ///
 /// # Errors
 /// If one cannot be written, or a folder lies at its place: why, and which.
-pub(super) fn staged(files: Vec<ExportFile>) -> Result<Vec<PassingFile>, String> {
+pub(super) fn staged(files: Vec<ExportFile>) -> Result<Vec<PartialFile>, String> {
     let stage = |file: ExportFile| {
         if file.path.is_dir() {
             let taken = std::io::Error::from(ErrorKind::IsADirectory);
             return Err(cannot_write(&taken, &file.path));
         }
-        let mut passing = match file.bytes {
-            FileBytes::Passing(passing) => passing,
+        let mut partial = match file.bytes {
+            FileBytes::Written(partial) => partial,
             FileBytes::Held(bytes) => {
-                let mut passing = PassingFile::create(file.path)?;
-                passing.write(bytes)?;
-                passing
+                let mut partial = PartialFile::create(file.path)?;
+                partial.write(bytes)?;
+                partial
             }
         };
-        let flushed = passing.file.flush();
-        flushed.map_err(|error| cannot_write(&error, &passing.place))?;
-        Ok(passing)
+        let flushed = partial.file.flush();
+        flushed.map_err(|error| cannot_write(&error, &partial.place))?;
+        Ok(partial)
     };
     files.into_iter().map(stage).collect()
 }
@@ -150,17 +153,17 @@ fn make_folder(path: &Path) -> std::io::Result<()> {
         .map_or(Ok(()), fs::create_dir_all)
 }
 
-/// A new, empty file beside `path` under a passing name that no other run has: a link that lies at such a name is not
+/// A new, empty file beside `path` under a partial name that no other run has: a link that lies at such a name is not
 /// followed.
 fn create_beside(path: &Path) -> std::io::Result<(PathBuf, File)> {
     loop {
-        let passing = free_name_beside(path);
+        let partial = free_name_beside(path);
         match OpenOptions::new()
             .write(true)
             .create_new(true)
-            .open(&passing)
+            .open(&partial)
         {
-            Ok(file) => return Ok((passing, file)),
+            Ok(file) => return Ok((partial, file)),
             // Laid there meanwhile: the next number.
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
             Err(error) => return Err(error),
@@ -168,7 +171,7 @@ fn create_beside(path: &Path) -> std::io::Result<(PathBuf, File)> {
     }
 }
 
-/// A passing name beside `path` at which nothing lies.
+/// A partial name beside `path` at which nothing lies.
 ///
 /// It holds the number of this process: two runs into one folder never share it. It does not hold the name of the file,
 /// since one that is just short enough for the disk would no longer be.
@@ -201,7 +204,7 @@ mod tests {
         );
         assert_eq!(fs::read(&path).unwrap(), b"subject,frame\n");
         let names: Vec<_> = fs::read_dir(path.parent().unwrap()).unwrap().collect();
-        assert_eq!(names.len(), 1, "nothing passing is left behind");
+        assert_eq!(names.len(), 1, "nothing partial is left behind");
     }
 
     #[test]
@@ -229,7 +232,7 @@ mod tests {
         write_files(files.into()).unwrap_err();
         assert_eq!(fs::read_to_string(at("a.csv")).unwrap(), "old");
         let names = fs::read_dir(folder.path()).unwrap().count();
-        assert_eq!(names, 2, "nothing passing is left behind");
+        assert_eq!(names, 2, "nothing partial is left behind");
     }
 
     #[test]
@@ -237,38 +240,38 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("report/atoms.csv");
         let grown = || {
-            let mut passing = PassingFile::create(path.clone()).unwrap();
-            passing.write("subject\n").unwrap();
-            passing.write("N01\n").unwrap();
-            passing
+            let mut partial = PartialFile::create(path.clone()).unwrap();
+            partial.write("subject\n").unwrap();
+            partial.write("N01\n").unwrap();
+            partial
         };
         let names = || fs::read_dir(path.parent().unwrap()).unwrap().count();
-        let passing = grown();
+        let partial = grown();
         assert!(!path.exists() && names() == 1);
-        drop(passing);
+        drop(partial);
         assert_eq!(names(), 0, "what was given up is gone");
         let file = ExportFile {
             path: path.clone(),
-            bytes: FileBytes::Passing(grown()),
+            bytes: FileBytes::Written(grown()),
         };
         write_files(vec![file]).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"subject\nN01\n");
-        assert_eq!(names(), 1, "nothing passing is left behind");
+        assert_eq!(names(), 1, "nothing partial is left behind");
     }
 
     #[test]
     fn two_files_that_grow_at_one_place_do_not_write_into_each_other() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("atoms.csv");
-        let mut first = PassingFile::create(path.clone()).unwrap();
-        let mut second = PassingFile::create(path.clone()).unwrap();
+        let mut first = PartialFile::create(path.clone()).unwrap();
+        let mut second = PartialFile::create(path.clone()).unwrap();
         first.write("first\n").unwrap();
         second.write("second\n").unwrap();
-        assert_ne!(first.passing, second.passing);
+        assert_ne!(first.partial, second.partial);
         for (grown, whole) in [(first, "first\n"), (second, "second\n")] {
             write_files(vec![ExportFile {
                 path: path.clone(),
-                bytes: FileBytes::Passing(grown),
+                bytes: FileBytes::Written(grown),
             }])
             .unwrap();
             assert_eq!(fs::read_to_string(&path).unwrap(), whole);
@@ -277,13 +280,13 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn a_link_at_a_passing_name_is_not_followed() {
+    fn a_link_at_a_partial_name_is_not_followed() {
         let folder = tempfile::tempdir().unwrap();
         let (victim, place) = (folder.path().join("victim"), folder.path().join("t.csv"));
         fs::write(&victim, "untouched").unwrap();
         // Links at all names that the next files could take, as far as another test may have counted meanwhile.
-        let probe = PassingFile::create(place.clone()).unwrap();
-        let name = probe.passing.to_str().unwrap();
+        let probe = PartialFile::create(place.clone()).unwrap();
+        let name = probe.partial.to_str().unwrap();
         let (head, number) = name.trim_end_matches(".partial").rsplit_once('-').unwrap();
         let number: u64 = number.parse().unwrap();
         for next in number + 1..number + 200 {

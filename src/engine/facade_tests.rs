@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use super::*;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::medial::MedialParams;
+use crate::analysis::thickening::ThickeningSettings;
 use crate::progress::Progress;
 use crate::study::Study;
 use crate::study::built_in::BuiltInParams;

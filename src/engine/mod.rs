@@ -11,6 +11,7 @@ mod classifier_file;
     clippy::module_inception,
     reason = "the room's main type carries the room's name"
 )]
+mod distance_table;
 mod engine;
 mod export;
 #[cfg(test)]
@@ -31,15 +32,15 @@ mod store;
 mod tables;
 mod thread_priority;
 mod typed_path;
-mod typefaces;
 mod wall_tables;
 mod workers;
 
 pub use crate::io::mesh_format_names;
 pub use activity::{Activity, ActivityLog, ActivityState, Topic};
 pub use classifier_file::{classifier_file, read_classifier};
+pub use distance_table::DistanceTable;
 pub use engine::{Engine, ExportError};
-pub use export::{ExportFile, FileBytes, PassingFile, write_files};
+pub use export::{ExportFile, FileBytes, PartialFile, write_files};
 pub use file_names::{file_name, file_names};
 pub use image_walls::{
     ImageWallSettings, ImageWalls, image_walls, prepared_subject, series_facts,
@@ -60,9 +61,8 @@ pub use store::{
     Answered, Context, Dependencies, FailedWork, Interrupted, Memory, Query, SharedError, Showing,
     Store, StoreOptions, Urgency, configure_memory, default_budget,
 };
-pub use tables::{AnalysisTables, DistanceTable, TableSettings, columns_file, tables_of_study};
+pub use tables::{AnalysisTables, TableSettings, columns_file, tables_of_study};
 pub use thread_priority::compute_behind_window;
 pub use typed_path::{CompletedPath, completed_path, typed_path};
-pub use typefaces::{SystemFace, system_face};
 pub use wall_tables::Unassessed;
 pub use workers::configure_threads;

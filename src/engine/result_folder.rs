@@ -144,7 +144,7 @@ pub fn replace_results(folder: &Path, files: Vec<ExportFile>) -> Result<Vec<Path
     let mut staged = staged(files)?;
     let mut old = earlier_results(folder);
     let unlisted = (staged.iter())
-        .map(|passing| passing.place().to_owned())
+        .map(|partial| partial.place().to_owned())
         .filter(|place| !old.contains(place))
         .collect::<Vec<_>>();
     old.extend(unlisted);
@@ -153,17 +153,17 @@ pub fn replace_results(folder: &Path, files: Vec<ExportFile>) -> Result<Vec<Path
     let outcome = (old.into_iter())
         .try_for_each(|place| {
             if fs::symlink_metadata(&place).is_ok() {
-                let passing = free_name_beside(&place);
-                fs::rename(&place, &passing).map_err(|error| cannot_write(&error, &place))?;
-                aside.push((place, passing));
+                let beside = free_name_beside(&place);
+                fs::rename(&place, &beside).map_err(|error| cannot_write(&error, &place))?;
+                aside.push((place, beside));
             }
             Ok(())
         })
         .and_then(|()| {
-            staged.iter_mut().try_for_each(|passing| {
-                let named = passing.finish();
-                named.map_err(|error| cannot_write(&error, passing.place()))?;
-                placed.push(passing.place().to_owned());
+            staged.iter_mut().try_for_each(|partial| {
+                let named = partial.finish();
+                named.map_err(|error| cannot_write(&error, partial.place()))?;
+                placed.push(partial.place().to_owned());
                 Ok(())
             })
         });
@@ -171,13 +171,13 @@ pub fn replace_results(folder: &Path, files: Vec<ExportFile>) -> Result<Vec<Path
         for place in placed {
             fs::remove_file(place).ok();
         }
-        for (place, passing) in aside.into_iter().rev() {
-            fs::rename(passing, place).ok();
+        for (place, beside) in aside.into_iter().rev() {
+            fs::rename(beside, place).ok();
         }
         return Err(reason);
     }
-    for (_, passing) in aside {
-        fs::remove_file(passing).ok();
+    for (_, beside) in aside {
+        fs::remove_file(beside).ok();
     }
     Ok(placed)
 }

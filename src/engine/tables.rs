@@ -7,23 +7,24 @@ use serde_json::Value;
 
 use crate::analysis::classification::{Classes, ClassesParams};
 use crate::analysis::deformations::DeformationMap;
-use crate::analysis::embedding::MapMethod;
+use crate::analysis::embedding::{MapMethod, PoseMap};
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::medial_map;
 use crate::analysis::pose_distances::BeatShares;
 use crate::analysis::verdicts::{Verdicts, verdicts};
-use crate::engine::export::{ExportFile, FileBytes, PassingFile};
+use crate::engine::distance_table::{DistanceTable, distance_files};
+use crate::engine::export::ExportFile;
 use crate::engine::queries::{
-    BeatSharesQuery, ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap,
-    PoseMapQuery, VerdictQuery, deformation_words, distance_words,
+    BeatSharesQuery, ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMapQuery,
+    VerdictQuery, deformation_words, distance_words,
 };
 use crate::engine::result_folder::{complete, name_in};
 use crate::engine::store::{Interrupted, Store};
-use crate::engine::wall_tables::{Unassessed, WallTables, WriteError};
+use crate::engine::wall_tables::{AssessedWalls, Unassessed, WallTables, WriteError};
 use crate::progress::Progress;
 use crate::report::{
     AnalysisReport, DeformationRow, FrameRow, MedialPoseRow, PoseRow, Row, SubjectRow, VerdictRow,
-    columns_md, csv, distances_csv, distances_json, named_csv, npy_header, npy_row, pretty_json,
+    columns_md, csv, named_csv, pretty_json,
 };
 use crate::study::Study;
 
@@ -34,34 +35,12 @@ const CLASSES_SHARE: f32 = 0.8;
 /// Share of the work that is done when walls are assessed; the rest classifies subjects.
 const WALLS_SHARE: f32 = 0.99;
 
-/// How distances of poses are written: their number grows with the square of that of the poses.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum DistanceTable {
-    /// `distances.csv`.
-    #[default]
-    Csv,
-    /// `distances.npy`, binary, a fifth of the size; its rows are the poses of `poses_mds.csv`.
-    Npy,
-    /// Not at all.
-    None,
-}
-
-impl DistanceTable {
-    fn file(self) -> Option<&'static str> {
-        match self {
-            Self::Csv => Some("distances.csv"),
-            Self::Npy => Some("distances.npy"),
-            Self::None => None,
-        }
-    }
-}
-
 /// Settings of an analysis of a whole study.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TableSettings {
     /// How poses and deformations are compared and mapped.
     pub deformations: DeformationMapQuery,
-    /// How walls are assessed, and what a verdict is and by which rule.
+    /// How walls are assessed, and what a verdict is and by which classifier.
     pub verdicts: VerdictQuery,
     /// How distances of poses are written.
     pub distances: DistanceTable,
@@ -125,7 +104,7 @@ impl AnalysisTables {
     /// # Errors
     /// If stopped, the study has no answer, or the folder cannot be written to; what was delivered stays. Too few subjects
     /// for a deformation map are no error, and neither are subjects whose wall cannot be assessed.
-    pub fn of(
+    pub fn computed(
         store: &Store,
         study: &Arc<Study>,
         settings: &TableSettings,
@@ -133,64 +112,39 @@ impl AnalysisTables {
         deliver: &mut Deliver<'_>,
         progress: &Progress,
     ) -> Result<Self, Interrupted> {
-        let mut hand_over = |files: Vec<ExportFile>| deliver(files).map_err(WriteError);
-        let measures = store.answer(study, &MeasuresQuery, progress)?;
-        hand_over(measure_files(study, &measures, folder))?;
-        let deformations = &settings.deformations;
-        let part = progress.part("comparing poses", 0.0, POSES_SHARE);
-        let mut maps = Vec::new();
-        for (word, method) in methods(deformations.poses.method) {
-            let query = PoseMapQuery {
-                method,
-                ..deformations.poses
-            };
-            let map = store.answer(study, &query, &part)?;
-            if maps.is_empty() {
-                hand_over(distance_files(study, &map, settings, folder, &part)?)?;
-            }
-            let rows = PoseRow::of_map(study, &map.distances.poses, &map.embedding);
-            let name = format!("poses_{word}.csv");
-            hand_over(vec![ExportFile::text(folder, &name, csv(&rows))])?;
-            maps.push((word, map));
-        }
-        let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
-        let (classes, without_deformations) = match classified(store, study, deformations, &part) {
-            Ok(classes) => (Some(classes), None),
-            Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
-            Err(Interrupted::Failed(failure)) => (None, Some(failure.to_string())),
+        let mut run = Run {
+            store,
+            study,
+            settings,
+            folder,
+            deliver,
         };
-        if let Some(found) = &classes {
-            hand_over(tables_of(
-                &DeformationRow::of_map(study, &found.map),
-                folder,
-            ))?;
+        let measures = store.answer(study, &MeasuresQuery, progress)?;
+        run.hand_over(measure_files(study, &measures, folder))?;
+        let deformations = &settings.deformations;
+        let maps = run.pose_maps(&progress.part("comparing poses", 0.0, POSES_SHARE))?;
+        let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
+        let classes = or_why(classified(store, study, deformations, &part))?;
+        if let Ok(found) = &classes {
+            let rows = DeformationRow::of_map(study, &found.map);
+            run.hand_over(tables_of(&rows, folder))?;
         }
-        let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
-        let mut walls = WallTables::new(study, folder)?;
-        if let Err(why) = walls.assess(store, study, &settings.verdicts, &part) {
-            // What is known of the subjects before stays, under names that say how many they are.
-            hand_over(walls.partial_files(folder))?;
-            return Err(why);
-        }
-        let (files, walls) = walls.files(folder);
-        hand_over(files.into())?;
+        let walls = run.walls(&progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE))?;
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
         let checked = settings.verdicts.verdicts.check()?;
-        let rule = settings.verdicts.rule.as_deref();
-        let verdicts = verdicts(study, &walls.examined, &checked, rule, &part)?;
+        let classifier = settings.verdicts.rule.as_deref();
+        let verdicts = verdicts(study, &walls.examined, &checked, classifier, &part)?;
         let medial = medial_map(&walls.paths, MapMethod::ClassicalMds, &part);
-        let medial = match medial.map_err(Interrupted::from) {
-            Ok(map) => Ok(map),
-            Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
-            Err(Interrupted::Failed(error)) => Err(error.to_string()),
-        };
+        let medial = or_why(medial.map_err(Interrupted::from))?;
         let rows = VerdictRow::of_study(study, &verdicts);
         let rows = VerdictRow::with_measures(rows, &measures);
-        hand_over(tables_of(&rows, folder))?;
+        run.hand_over(tables_of(&rows, folder))?;
         let places = MedialPoseRow::of_map(study, medial.as_ref().ok());
-        hand_over(tables_of(&places, folder))?;
+        run.hand_over(tables_of(&places, folder))?;
         let distances = &deformations.poses.distances;
         let shares = store.answer(study, &BeatSharesQuery(*distances), &part)?;
+        let without_deformations = classes.as_ref().err().cloned();
+        let classes = classes.ok();
         let report = AnalysisReport {
             study,
             measures: &measures,
@@ -223,6 +177,66 @@ impl AnalysisTables {
     }
 }
 
+/// An analysis under way, and where its tables go.
+struct Run<'a, 'd> {
+    store: &'a Store,
+    study: &'a Arc<Study>,
+    settings: &'a TableSettings,
+    folder: &'a Path,
+    deliver: &'a mut Deliver<'d>,
+}
+
+impl Run<'_, '_> {
+    fn hand_over(&mut self, files: Vec<ExportFile>) -> Result<(), WriteError> {
+        (self.deliver)(files).map_err(WriteError)
+    }
+
+    /// The map of poses by each method with its word, classical scaling first, and their distances.
+    fn pose_maps(
+        &mut self,
+        part: &Progress,
+    ) -> Result<Vec<(&'static str, Arc<PoseMap>)>, Interrupted> {
+        let poses = self.settings.deformations.poses;
+        let mut maps = Vec::new();
+        for (word, method) in methods(poses.method) {
+            let query = PoseMapQuery { method, ..poses };
+            let map = self.store.answer(self.study, &query, part)?;
+            if maps.is_empty() {
+                let (table, params) = (self.settings.distances, &poses.distances);
+                let files = distance_files(self.study, &map, table, params, self.folder, part)?;
+                self.hand_over(files)?;
+            }
+            let rows = PoseRow::of_map(self.study, &map.distances.poses, &map.embedding);
+            let name = format!("poses_{word}.csv");
+            self.hand_over(vec![ExportFile::text(self.folder, &name, csv(&rows))])?;
+            maps.push((word, map));
+        }
+        Ok(maps)
+    }
+
+    /// The walls of all subjects, one after the other.
+    fn walls(&mut self, part: &Progress) -> Result<AssessedWalls, Interrupted> {
+        let mut walls = WallTables::new(self.study, self.folder)?;
+        if let Err(why) = walls.assess(self.store, self.study, &self.settings.verdicts, part) {
+            // What is known of the subjects before stays, under names that say how many they are.
+            self.hand_over(walls.partial_files(self.folder))?;
+            return Err(why);
+        }
+        let (files, walls) = walls.files(self.folder);
+        self.hand_over(files.into())?;
+        Ok(walls)
+    }
+}
+
+/// An answer, or why there is none; who was stopped has neither.
+fn or_why<T>(answer: Result<T, Interrupted>) -> Result<Result<T, String>, Interrupted> {
+    match answer {
+        Ok(answer) => Ok(Ok(answer)),
+        Err(Interrupted::Failed(error)) => Ok(Err(error.to_string())),
+        Err(Interrupted::Stopped) => Err(Interrupted::Stopped),
+    }
+}
+
 /// The dictionary of the columns of tables with these names, as a file.
 pub fn columns_file(folder: &Path, names: &[String]) -> ExportFile {
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
@@ -232,7 +246,7 @@ pub fn columns_file(folder: &Path, names: &[String]) -> ExportFile {
 /// All tables of a study with their summary, to be put into the folder at once by [`replace_results`](crate::engine::replace_results).
 ///
 /// # Errors
-/// As [`AnalysisTables::of()`].
+/// As [`AnalysisTables::computed()`].
 pub fn tables_of_study(
     store: &Store,
     study: &Arc<Study>,
@@ -245,7 +259,7 @@ pub fn tables_of_study(
         files.extend(more);
         Ok(())
     };
-    let tables = AnalysisTables::of(store, study, settings, folder, &mut keep, progress)?;
+    let tables = AnalysisTables::computed(store, study, settings, folder, &mut keep, progress)?;
     let names = |files: &[ExportFile]| -> Vec<String> {
         let names = files.iter();
         names
@@ -274,49 +288,6 @@ fn tables_of<R: Row>(rows: &[R], folder: &Path) -> Vec<ExportFile> {
     named_csv(rows)
         .map(|(name, text)| ExportFile::text(folder, &name, text))
         .collect()
-}
-
-/// The matrix of distances as the settings want it, and by which metric it is.
-fn distance_files(
-    study: &Study,
-    map: &PoseMap,
-    settings: &TableSettings,
-    folder: &Path,
-    progress: &Progress,
-) -> Result<Vec<ExportFile>, Interrupted> {
-    let Some(name) = settings.distances.file() else {
-        return Ok(Vec::new());
-    };
-    let path = folder.join(name);
-    let mut table = PassingFile::create(path.clone()).map_err(WriteError)?;
-    let distances = &map.distances;
-    match settings.distances {
-        DistanceTable::Npy => {
-            let matrix = &distances.distances;
-            table.write(npy_header(matrix.size())).map_err(WriteError)?;
-            for row in 0..matrix.size() {
-                progress.check()?;
-                table.write(npy_row(matrix, row)).map_err(WriteError)?;
-            }
-        }
-        DistanceTable::Csv | DistanceTable::None => {
-            for line in distances_csv(study, distances) {
-                progress.check()?;
-                table.write(line).map_err(WriteError)?;
-            }
-        }
-    }
-    let params = &settings.deformations.poses.distances;
-    let metric = distances_json(study, params, &distance_words(params), name);
-    let metric = pretty_json(&metric)?;
-    let table = ExportFile {
-        path,
-        bytes: FileBytes::Passing(table),
-    };
-    Ok(vec![
-        table,
-        ExportFile::text(folder, "distances.json", metric),
-    ])
 }
 
 /// Both kinds of scaling, and what the settings ask for beside them, with the word for each.

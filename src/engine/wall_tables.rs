@@ -8,7 +8,7 @@ use std::thread;
 use serde_json::{Value, json};
 
 use crate::analysis::verdicts::{Examined, NotAssessed};
-use crate::engine::export::{ExportFile, FileBytes, PassingFile};
+use crate::engine::export::{ExportFile, FileBytes, PartialFile};
 use crate::engine::queries::{StudyPaths, VerdictQuery, WallThickeningQuery, examined, paths_of};
 use crate::engine::store::{Answered, Interrupted, Store};
 use crate::progress::Progress;
@@ -57,7 +57,7 @@ pub(super) struct WallTables {
 #[derive(Debug)]
 struct WallRows {
     /// Too long for memory: every atom at every frame of every subject.
-    atoms: PassingFile,
+    atoms: PartialFile,
     patches: String,
     patch_segments: String,
     segments: String,
@@ -73,7 +73,7 @@ impl WallTables {
     /// If `folder` cannot be written to.
     pub fn new(study: &Study, folder: &Path) -> Result<Self, WriteError> {
         let subjects = study.subjects.len();
-        let mut atoms = PassingFile::create(folder.join("atoms.csv")).map_err(WriteError)?;
+        let mut atoms = PartialFile::create(folder.join("atoms.csv")).map_err(WriteError)?;
         atoms.write(csv_header::<AtomRow>()).map_err(WriteError)?;
         Ok(Self {
             rows: WallRows {
@@ -223,11 +223,11 @@ impl WallRows {
     fn files(mut self, folder: &Path, ending: &str) -> [ExportFile; 4] {
         let name = |table: &str| format!("{table}{ending}.csv");
         let atoms = folder.join(name("atoms"));
-        self.atoms.stand_at(atoms.clone());
+        self.atoms.set_target(atoms.clone());
         [
             ExportFile {
                 path: atoms,
-                bytes: FileBytes::Passing(self.atoms),
+                bytes: FileBytes::Written(self.atoms),
             },
             ExportFile::text(folder, &name("patches"), self.patches),
             ExportFile::text(folder, &name("patch_segments"), self.patch_segments),

@@ -1,7 +1,7 @@
 //! Numbers in binary files: a place that never runs past the end, and the scalar types of all formats.
 
 use super::ReadMeshError;
-use super::mesh_draft::Place;
+use super::mesh_draft::FilePosition;
 
 /// Which byte of a number comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,8 +85,8 @@ impl<'a> BinaryCursor<'a> {
     }
 
     /// Where it is.
-    pub(super) fn place(&self) -> Place {
-        Place::Byte(self.at)
+    pub(super) fn place(&self) -> FilePosition {
+        FilePosition::Byte(self.at)
     }
 
     /// What is left.
@@ -120,7 +120,7 @@ impl<'a> BinaryCursor<'a> {
 }
 
 /// A number as the index of a vertex, counted from 0.
-pub(super) fn vertex_index(number: f64, place: Place) -> Result<u32, ReadMeshError> {
+pub(super) fn vertex_index(number: f64, place: FilePosition) -> Result<u32, ReadMeshError> {
     if number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number) {
         return Ok(number as u32);
     }
@@ -128,7 +128,7 @@ pub(super) fn vertex_index(number: f64, place: Place) -> Result<u32, ReadMeshErr
 }
 
 /// A number as a count.
-pub(super) fn count(number: f64, place: Place) -> Result<u64, ReadMeshError> {
+pub(super) fn count(number: f64, place: FilePosition) -> Result<u64, ReadMeshError> {
     if number.fract() == 0.0 && number >= 0.0 {
         return Ok(number as u64);
     }

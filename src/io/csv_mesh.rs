@@ -7,7 +7,7 @@
 
 use std::borrow::Cow;
 
-use super::mesh_draft::{MeshDraft, Place};
+use super::mesh_draft::{FilePosition, MeshDraft};
 use super::text_lines::{TextLines, count, number, shown, three_numbers, without_end_mark};
 use super::{Limits, MeshFile, ReadMeshError};
 
@@ -18,7 +18,7 @@ pub(super) fn read_csv_mesh(bytes: &[u8], limits: &Limits) -> Result<MeshFile, R
     let mut header_may_come = true;
     let separator = separator(bytes);
     for (line, text) in TextLines::new(without_end_mark(bytes)) {
-        let place = Place::Line(line);
+        let place = FilePosition::Line(line);
         let text = &*with_points(text, separator);
         let Some(row) = cells(text, separator) else {
             continue;
@@ -85,7 +85,7 @@ fn with_points(text: &[u8], separator: u8) -> Cow<'_, [u8]> {
 }
 
 /// A row of words.
-fn is_header<'a>(row: &(impl Iterator<Item = &'a [u8]> + Clone), place: Place) -> bool {
+fn is_header<'a>(row: &(impl Iterator<Item = &'a [u8]> + Clone), place: FilePosition) -> bool {
     !row.clone().any(|cell| number(cell, place).is_ok())
 }
 

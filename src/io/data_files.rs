@@ -4,10 +4,8 @@ use std::io::Read;
 
 use super::ReadImageError;
 use super::image_source::ImageSource;
+use super::limits::MAX_DATA_FILES;
 use super::packed::Packing;
-
-/// Most files of one image.
-const MAX_FILES: usize = 100_000;
 
 /// Names by a pattern such as `slice_%03d.raw`, for numbers from `first` to `last`.
 ///
@@ -39,7 +37,7 @@ pub(super) fn names_by_pattern(
         return Err(wrong("the numbers of its pattern do not end"));
     }
     let more = usize::try_from(towards / step).unwrap_or(usize::MAX);
-    if more >= MAX_FILES {
+    if more >= MAX_DATA_FILES {
         return Err(wrong("the numbers of its pattern are too many"));
     }
     let name = |k: usize| {
@@ -72,7 +70,7 @@ pub(super) fn joined_files(
 ) -> Result<Vec<u8>, ReadImageError> {
     let count = names.len() as u64;
     let wrong = |reason: String| ReadImageError::DataFile { field, reason };
-    if count == 0 || count > MAX_FILES as u64 || !expected.is_multiple_of(count) {
+    if count == 0 || count > MAX_DATA_FILES as u64 || !expected.is_multiple_of(count) {
         return Err(wrong(format!(
             "{count} files cannot share {expected} bytes of values"
         )));

@@ -1,7 +1,7 @@
 //! Which format a file has, by its content and its extension.
 
 use super::formats::{FORMATS, Format, Head, Source, format_of_extension, mesh_format_names};
-use super::mesh_draft::Place;
+use super::mesh_draft::FilePosition;
 use super::stl::is_whole_binary_stl;
 use super::text_encoding::without_mark;
 use super::{Limits, MeshFile, ReadMeshError};
@@ -55,7 +55,7 @@ pub fn read_mesh_with_siblings(
     };
     let content = unmarked.as_ref().map_or(bytes, |text| &text.bytes);
     if let Some(packer) = packer_of(bytes) {
-        return Err(Place::Byte(0).error(format!("packed by {packer}: unpack it first")));
+        return Err(FilePosition::Byte(0).error(format!("packed by {packer}: unpack it first")));
     }
     let format =
         format_of_content(content)

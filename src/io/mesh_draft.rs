@@ -6,14 +6,14 @@ use crate::study::Notice;
 
 /// Where in a file something stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum FilePosition {
     /// Line of a text file, from 1.
     Line(usize),
     /// Byte of a binary file, from 0.
     Byte(usize),
 }
 
-impl Place {
+impl FilePosition {
     /// An error that names this place.
     pub(super) fn error(self, reason: impl Into<String>) -> ReadMeshError {
         let reason = reason.into();
@@ -33,7 +33,7 @@ pub(super) struct MeshDraft {
     points: Vec<Point3>,
     triangles: Vec<[u32; 3]>,
     /// References to points not yet read, each higher than those before it.
-    ahead: Vec<(u32, Place)>,
+    ahead: Vec<(u32, FilePosition)>,
     polygons_split: usize,
     repeated_corners: usize,
     too_few_corners: usize,
@@ -87,7 +87,11 @@ impl MeshDraft {
 
     /// Refuses a polygon of more corners than the limit: it would be split from one corner into
     /// slivers that say nothing of a wall, and that what is computed around a vertex takes long over.
-    pub(super) fn check_corners(&self, count: u64, place: Place) -> Result<(), ReadMeshError> {
+    pub(super) fn check_corners(
+        &self,
+        count: u64,
+        place: FilePosition,
+    ) -> Result<(), ReadMeshError> {
         let most = self.limits.polygon_corners;
         if count > most as u64 {
             return Err(place.error(format!("a polygon of {count} corners; the limit is {most}")));
@@ -96,7 +100,11 @@ impl MeshDraft {
     }
 
     /// Adds a point.
-    pub(super) fn point(&mut self, xyz: [f64; 3], place: Place) -> Result<(), ReadMeshError> {
+    pub(super) fn point(
+        &mut self,
+        xyz: [f64; 3],
+        place: FilePosition,
+    ) -> Result<(), ReadMeshError> {
         if let Some(x) = xyz.iter().find(|x| !x.is_finite()) {
             return Err(place.error(format!("coordinate {x} is not a finite number")));
         }
@@ -112,7 +120,11 @@ impl MeshDraft {
     ///
     /// The fan depends on the order of the corners alone, never on their positions, so that
     /// every frame of a sequence is split alike. Corners may refer to points still to come.
-    pub(super) fn polygon(&mut self, corners: &[u32], place: Place) -> Result<(), ReadMeshError> {
+    pub(super) fn polygon(
+        &mut self,
+        corners: &[u32],
+        place: FilePosition,
+    ) -> Result<(), ReadMeshError> {
         self.check_corners(corners.len() as u64, place)?;
         self.note_references(corners, place);
         let [first, rest @ ..] = corners else {
@@ -132,7 +144,11 @@ impl MeshDraft {
     }
 
     /// Adds a strip: each corner from the third on makes a triangle with the two before it.
-    pub(super) fn strip(&mut self, corners: &[u32], place: Place) -> Result<(), ReadMeshError> {
+    pub(super) fn strip(
+        &mut self,
+        corners: &[u32],
+        place: FilePosition,
+    ) -> Result<(), ReadMeshError> {
         self.note_references(corners, place);
         if corners.len() < 3 {
             self.too_few_corners += 1;
@@ -144,7 +160,7 @@ impl MeshDraft {
         Ok(())
     }
 
-    fn note_references(&mut self, corners: &[u32], place: Place) {
+    fn note_references(&mut self, corners: &[u32], place: FilePosition) {
         for &corner in corners {
             let highest = self.ahead.last().map_or(0, |&(highest, _)| highest);
             if corner as usize >= self.points.len() && (self.ahead.is_empty() || corner > highest) {

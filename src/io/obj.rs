@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-use super::mesh_draft::{MeshDraft, Place, missing_vertex};
+use super::mesh_draft::{FilePosition, MeshDraft, missing_vertex};
 use super::text_lines::{TextLines, shown, three_numbers, whole_number, without_end_mark, words};
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::mesh::TriMesh;
@@ -63,7 +63,7 @@ pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
     let mut lines = TextLines::new(without_end_mark(bytes));
     while let Some((line, text)) = lines.next() {
         let text = whole_line(text, &mut lines);
-        let place = Place::Line(line);
+        let place = FilePosition::Line(line);
         let mut words = words(&text);
         let keyword = words.next().map(<[u8]>::to_ascii_lowercase);
         match keyword.as_deref() {
@@ -147,7 +147,7 @@ fn without_comment(text: &[u8]) -> &[u8] {
 /// After x, y, z: nothing, a weight, or a colour of three or four parts.
 fn check_rest_of_vertex<'a>(
     rest: impl Iterator<Item = &'a [u8]>,
-    place: Place,
+    place: FilePosition,
 ) -> Result<(), ReadMeshError> {
     match rest.count() {
         0 | 1 | 3 | 4 => Ok(()),
@@ -156,7 +156,7 @@ fn check_rest_of_vertex<'a>(
 }
 
 /// `7`, `7/1`, `7//3`, `7/1/3` or `-1`: the vertex, counted from 0.
-fn vertex_index(word: &[u8], defined: usize, place: Place) -> Result<u32, ReadMeshError> {
+fn vertex_index(word: &[u8], defined: usize, place: FilePosition) -> Result<u32, ReadMeshError> {
     let mut parts = word.split(|&b| b == b'/');
     let number = whole_number(parts.next().unwrap_or_default(), place)?;
     if number > 0

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
-use super::mesh_draft::{MeshDraft, Place};
+use super::mesh_draft::{FilePosition, MeshDraft};
 use super::text_lines::{TextLines, TextWords, number, shown, three_numbers, without_end_mark};
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
@@ -51,7 +51,7 @@ fn triangle_count(bytes: &[u8]) -> Option<u64> {
 
 fn read_binary(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
     let mut count = triangle_count(bytes).ok_or_else(|| {
-        Place::Byte(bytes.len()).error("the file ends within the header of a binary STL")
+        FilePosition::Byte(bytes.len()).error("the file ends within the header of a binary STL")
     })?;
     // Programs that write triangles as they come leave the count as it was before the first.
     let (body, triangle) = (bytes.len() - HEADER_BYTES, TRIANGLE_BYTES);
@@ -64,16 +64,16 @@ fn read_binary(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
     weld.draft.expect_faces(count)?;
     let mut cursor = BinaryCursor::new(bytes, HEADER_BYTES);
     for _ in 0..count {
-        let Place::Byte(start) = cursor.place() else {
+        let FilePosition::Byte(start) = cursor.place() else {
             break;
         };
         let record = cursor.take(TRIANGLE_BYTES as u64, "a triangle")?;
         for corner in 0..3 {
             let at = 12 + 12 * corner;
             let x = |axis: usize| Scalar::F32.number(&record[at + 4 * axis..], ByteOrder::Little);
-            weld.corner([x(0), x(1), x(2)], Place::Byte(start + at))?;
+            weld.corner([x(0), x(1), x(2)], FilePosition::Byte(start + at))?;
         }
-        weld.triangle(Place::Byte(start))?;
+        weld.triangle(FilePosition::Byte(start))?;
     }
     if !cursor.rest().is_empty() {
         let text = format!(
@@ -183,7 +183,7 @@ impl Weld {
         }
     }
 
-    fn corner(&mut self, xyz: [f64; 3], place: Place) -> Result<(), ReadMeshError> {
+    fn corner(&mut self, xyz: [f64; 3], place: FilePosition) -> Result<(), ReadMeshError> {
         // adding zero turns −0 into 0, which is the same place
         let bits = xyz.map(|x| (x + 0.0).to_bits());
         let next = self.draft.point_count() as u32;
@@ -195,7 +195,7 @@ impl Weld {
         Ok(())
     }
 
-    fn triangle(&mut self, place: Place) -> Result<(), ReadMeshError> {
+    fn triangle(&mut self, place: FilePosition) -> Result<(), ReadMeshError> {
         if self.corners.len() != 3 {
             let reason = format!("a facet has {} vertices, but needs 3", self.corners.len());
             return Err(place.error(reason));

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::ReadMeshError;
-use super::mesh_draft::Place;
+use super::mesh_draft::FilePosition;
 use super::text_lines::shown;
 
 const UTF8_MARK: &[u8] = b"\xef\xbb\xbf";
@@ -39,7 +39,7 @@ impl Unmarked<'_> {
 pub(super) fn without_mark(bytes: &[u8]) -> Result<Unmarked<'_>, ReadMeshError> {
     if bytes.starts_with(b"\xff\xfe\0\0") || bytes.starts_with(b"\0\0\xfe\xff") {
         let reason = "the text is encoded as UTF-32, which is not read; save it as UTF-8";
-        return Err(Place::Byte(0).error(reason));
+        return Err(FilePosition::Byte(0).error(reason));
     }
     let ascii = |at: usize| bytes.get(at).is_some_and(|b| (b' '..0x7f).contains(b));
     let zero = |at: usize| bytes.get(at) == Some(&0);
@@ -72,7 +72,9 @@ pub(super) fn without_mark(bytes: &[u8]) -> Result<Unmarked<'_>, ReadMeshError> 
     for character in char::decode_utf16(words) {
         let Ok(character) = character else {
             let byte = (skipped + 2 * text.encode_utf16().count()).min(bytes.len());
-            return Err(Place::Byte(byte).error("not UTF-16 text, though the file begins as such"));
+            return Err(
+                FilePosition::Byte(byte).error("not UTF-16 text, though the file begins as such")
+            );
         };
         text.push(character);
     }
@@ -116,7 +118,7 @@ pub(super) fn xml_text(bytes: &[u8]) -> Result<Cow<'_, str>, ReadMeshError> {
     if unicode || bytes.is_ascii() {
         return Ok(with_declaration_first(as_utf8(bytes)?));
     }
-    Err(Place::Line(1).error(format!(
+    Err(FilePosition::Line(1).error(format!(
         "the encoding {} is not read; save the file as UTF-8",
         shown(declared)
     )))
@@ -140,7 +142,7 @@ fn with_declaration_first(text: Cow<'_, str>) -> Cow<'_, str> {
 fn as_utf8(bytes: &[u8]) -> Result<Cow<'_, str>, ReadMeshError> {
     std::str::from_utf8(bytes)
         .map(Cow::Borrowed)
-        .map_err(|error| Place::Byte(error.valid_up_to()).error("not UTF-8 text"))
+        .map_err(|error| FilePosition::Byte(error.valid_up_to()).error("not UTF-8 text"))
 }
 
 /// The value of `encoding` in `<?xml … ?>`.
@@ -186,10 +188,10 @@ mod tests {
     fn bytes_of_errors_count_the_mark() {
         let bytes = utf16("\u{feff}abcdef", u16::to_le_bytes);
         let unmarked = without_mark(&bytes).unwrap();
-        let error = unmarked.error_in_file(Place::Byte(3).error("wrong"), bytes.len());
+        let error = unmarked.error_in_file(FilePosition::Byte(3).error("wrong"), bytes.len());
         assert_eq!(error.to_string(), "byte 8: wrong");
         let marked = without_mark(b"\xef\xbb\xbfabc").unwrap();
-        let error = marked.error_in_file(Place::Byte(1).error("wrong"), 6);
+        let error = marked.error_in_file(FilePosition::Byte(1).error("wrong"), 6);
         assert_eq!(error.to_string(), "byte 4: wrong");
     }
 

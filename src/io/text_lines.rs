@@ -1,7 +1,7 @@
 //! Lines and numbers of text files, each error with its line.
 
 use super::ReadMeshError;
-use super::mesh_draft::Place;
+use super::mesh_draft::FilePosition;
 
 /// The lines of a text, numbered from 1; ends of lines as Unix, Windows and old Macs write them.
 #[derive(Clone, Debug)]
@@ -77,8 +77,8 @@ impl<'a> TextWords<'a> {
     }
 
     /// The line that the last word stands on.
-    pub(super) fn place(&self) -> Place {
-        Place::Line(self.line())
+    pub(super) fn place(&self) -> FilePosition {
+        FilePosition::Line(self.line())
     }
 
     /// Whether another word stands on the line of the last one.
@@ -139,7 +139,7 @@ pub(super) fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
 /// A word as a number, finite or not: decimal digits with a point, an exponent of `e`, `nan`, `inf` and `infinity` in
 /// any case, with a sign. What C libraries print beside these (`-1.#IND`, `nan(ind)`, `1.#QNAN`), exponents of Fortran
 /// (`1.0D+00`), stars of a field too narrow, decimal commas and units are errors, never the number that they begin with.
-pub(super) fn number(word: &[u8], place: Place) -> Result<f64, ReadMeshError> {
+pub(super) fn number(word: &[u8], place: FilePosition) -> Result<f64, ReadMeshError> {
     std::str::from_utf8(word)
         .ok()
         .and_then(|text| text.parse().ok())
@@ -147,7 +147,7 @@ pub(super) fn number(word: &[u8], place: Place) -> Result<f64, ReadMeshError> {
 }
 
 /// A word as a whole number, also as programs write it that know numbers of one type alone: `1.0`, `1.000e+00`.
-pub(super) fn whole_number(word: &[u8], place: Place) -> Result<i64, ReadMeshError> {
+pub(super) fn whole_number(word: &[u8], place: FilePosition) -> Result<i64, ReadMeshError> {
     // Nearly all words: a few digits, which no sum of them overflows.
     if matches!(word.len(), 1..=9) && word.iter().all(u8::is_ascii_digit) {
         return Ok((word.iter()).fold(0, |number, digit| 10 * number + i64::from(digit - b'0')));
@@ -159,7 +159,7 @@ pub(super) fn whole_number(word: &[u8], place: Place) -> Result<i64, ReadMeshErr
 }
 
 /// A word as a count or an index from 0.
-pub(super) fn count(word: &[u8], place: Place) -> Result<u64, ReadMeshError> {
+pub(super) fn count(word: &[u8], place: FilePosition) -> Result<u64, ReadMeshError> {
     std::str::from_utf8(word)
         .ok()
         .and_then(|text| text.parse().ok().or_else(|| whole(text)?.try_into().ok()))
@@ -184,7 +184,7 @@ pub(super) fn without_end_mark(bytes: &[u8]) -> &[u8] {
 /// The next three words as coordinates.
 pub(super) fn three_numbers<'a>(
     words: &mut impl Iterator<Item = &'a [u8]>,
-    place: Place,
+    place: FilePosition,
 ) -> Result<[f64; 3], ReadMeshError> {
     let mut xyz = [0.0; 3];
     for (found, x) in xyz.iter_mut().enumerate() {
@@ -237,7 +237,7 @@ mod tests {
 
     #[test]
     fn a_number_is_never_the_start_of_a_longer_word() {
-        let place = Place::Line(1);
+        let place = FilePosition::Line(1);
         for word in [
             "1.#INF",
             "-1.#IND",
@@ -286,7 +286,7 @@ mod tests {
 
     #[test]
     fn whole_numbers_may_be_written_as_others_are() {
-        let place = Place::Line(1);
+        let place = FilePosition::Line(1);
         for (word, expected) in [("3", 3), ("-1.0", -1), ("2.000000e+00", 2), ("1e3", 1000)] {
             assert_eq!(whole_number(word.as_bytes(), place), Ok(expected));
         }

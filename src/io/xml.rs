@@ -6,7 +6,7 @@ use super::ReadMeshError;
 use super::limits::{
     MAX_XML_ATTRIBUTES, MAX_XML_ATTRIBUTES_IN_ALL, MAX_XML_NAMESPACES, MAX_XML_NODES,
 };
-use super::mesh_draft::{Place, check_count};
+use super::mesh_draft::{FilePosition, check_count};
 
 /// Parses a whole file. A document type is passed over; entities of its own are refused, as they can be nested
 /// until they fill any memory.
@@ -21,7 +21,7 @@ pub(super) fn parse_xml(text: &str) -> Result<Document<'_>, ReadMeshError> {
         ..ParsingOptions::default()
     };
     Document::parse_with_options(text, options)
-        .map_err(|error| Place::Line(error.pos().row as usize).error(error.to_string()))
+        .map_err(|error| FilePosition::Line(error.pos().row as usize).error(error.to_string()))
 }
 
 /// Refuses what the parser takes long or much memory for. Between one `<` and the next stand the attributes of at most

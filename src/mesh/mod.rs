@@ -1,10 +1,10 @@
 //! One triangle mesh at one instant: connectivity, positions, and what can be measured on them.
 
+mod angle_deficit;
 mod borders;
 mod capping;
 mod closest_point;
 mod components;
-mod curvature;
 mod decimation;
 mod face_order;
 mod faces;
@@ -17,11 +17,11 @@ mod scan_lines;
 mod self_intersections;
 mod tri_mesh;
 
+pub use angle_deficit::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
 pub use borders::{Borders, Edge};
 pub use capping::CappedSheet;
 pub use closest_point::{ClosestPoint, Nearest};
 pub use components::{Sheet, SheetError, sheets};
-pub use curvature::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
 pub use decimation::Decimation;
 pub use face_order::FaceOrder;
 pub use faces::{Faces, MeshError};

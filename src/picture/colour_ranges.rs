@@ -3,27 +3,27 @@
 use crate::analysis::measures::{SubjectMeasures, phases_of};
 use crate::picture::quantity::Quantity;
 use crate::picture::ticks::nice_ceiling;
-use crate::render::ColourLimits;
+use crate::render::ColourRange;
 use crate::study::{Study, Subject};
 
 /// Colour ranges that hold for all subjects and frames of a study.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CohortLimits {
+pub struct CohortColourRanges {
     /// From zero to a round length.
-    pub displacement: ColourLimits,
+    pub displacement: ColourRange,
     /// From half to double.
-    pub area_ratio: ColourLimits,
+    pub area_ratio: ColourRange,
 }
 
-impl Default for CohortLimits {
+impl Default for CohortColourRanges {
     fn default() -> Self {
         Self {
-            displacement: ColourLimits {
+            displacement: ColourRange {
                 low: 0.0,
                 high: 1.0,
                 logarithmic: false,
             },
-            area_ratio: ColourLimits {
+            area_ratio: ColourRange {
                 low: 0.5,
                 high: 2.0,
                 logarithmic: true,
@@ -33,14 +33,14 @@ impl Default for CohortLimits {
 }
 
 /// Up to four times the mean, the same for every pair; what is beyond has the end colour.
-const CONTRIBUTION: ColourLimits = ColourLimits {
+const CONTRIBUTION: ColourRange = ColourRange {
     low: 0.0,
     high: 4.0,
     logarithmic: false,
 };
 
 /// From half to double: a normal wall thickens by half, and the scale is even about unchanged.
-pub(crate) const THICKNESS_RATIO: ColourLimits = ColourLimits {
+pub(crate) const THICKNESS_RATIO: ColourRange = ColourRange {
     low: 0.5,
     high: 2.0,
     logarithmic: true,
@@ -52,33 +52,33 @@ const COVERED_SHARE: f64 = 0.995;
 /// Displacements looked at; more would not move the share by a visible amount.
 const MAX_SAMPLES: usize = 400_000;
 
-impl CohortLimits {
+impl CohortColourRanges {
     /// Ranges of a study. `reference_frames` holds each subject's frame of end-diastole.
     pub fn of(study: &Study, reference_frames: &[usize]) -> Self {
-        let limits = Self::default();
+        let ranges = Self::default();
         let mut samples = displacement_samples(study, reference_frames);
         if samples.is_empty() {
-            return limits;
+            return ranges;
         }
         let place = ((samples.len() - 1) as f64 * COVERED_SHARE) as usize;
         let (_, covered, _) = samples.select_nth_unstable_by(place, f64::total_cmp);
         let step = nice_ceiling(*covered / 5.0);
         let high = ((*covered / step - 1e-6).ceil().max(1.0) * step) as f32;
         Self {
-            displacement: ColourLimits {
+            displacement: ColourRange {
                 high,
-                ..limits.displacement
+                ..ranges.displacement
             },
-            ..limits
+            ..ranges
         }
     }
 
     /// The range of one quantity.
-    pub fn range(&self, quantity: Quantity) -> ColourLimits {
+    pub fn range(&self, quantity: Quantity) -> ColourRange {
         match quantity {
             Quantity::Tissue | Quantity::Displacement => self.displacement,
             // Two beats differ by less than either moves; a round share keeps colours comparable.
-            Quantity::MotionDifference => ColourLimits {
+            Quantity::MotionDifference => ColourRange {
                 high: 0.5 * self.displacement.high,
                 ..self.displacement
             },
@@ -145,20 +145,20 @@ mod tests {
             subjects: vec![shifted(4.0), shifted(11.3)],
             ..Study::default()
         };
-        let limits = CohortLimits::of(&study, &[0, 0]);
-        assert_eq!(limits.displacement.high, 15.0);
-        assert_eq!(limits.range(Quantity::AreaRatio).low, 0.5);
+        let ranges = CohortColourRanges::of(&study, &[0, 0]);
+        assert_eq!(ranges.displacement.high, 15.0);
+        assert_eq!(ranges.range(Quantity::AreaRatio).low, 0.5);
     }
 
     #[test]
     fn a_study_without_motion_has_a_usable_range() {
-        let limits = CohortLimits::of(&Study::default(), &[]);
-        assert!(limits.displacement.high > limits.displacement.low);
+        let ranges = CohortColourRanges::of(&Study::default(), &[]);
+        assert!(ranges.displacement.high > ranges.displacement.low);
         let still = Study {
             subjects: vec![shifted(0.0)],
             ..Study::default()
         };
-        let limits = CohortLimits::of(&still, &[0]);
-        assert!(limits.displacement.high > limits.displacement.low);
+        let ranges = CohortColourRanges::of(&still, &[0]);
+        assert!(ranges.displacement.high > ranges.displacement.low);
     }
 }

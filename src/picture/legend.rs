@@ -3,7 +3,7 @@
 use crate::picture::colour_map::ColourMap;
 use crate::picture::quantity::Quantity;
 use crate::picture::ticks::{logarithmic_ticks, nice_ticks, ratio_text, tick_text};
-use crate::render::ColourLimits;
+use crate::render::ColourRange;
 use crate::units::LengthUnit;
 
 /// One mark of a colour bar.
@@ -30,7 +30,7 @@ pub struct ColourLegend {
     /// Whether the range is the cohort's fixed one, the subject's, or typed.
     pub note: &'static str,
     /// Numbers at the ends.
-    pub limits: ColourLimits,
+    pub limits: ColourRange,
     /// Marks from low to high.
     pub ticks: Vec<Tick>,
     /// The colours.
@@ -56,24 +56,16 @@ impl ColourLegend {
     pub(crate) fn of(
         quantity: Quantity,
         unit: LengthUnit,
-        limits: ColourLimits,
+        limits: ColourRange,
         note: &'static str,
         extremes: [f32; 2],
     ) -> Option<Self> {
-        let (title, unit) = match quantity {
-            Quantity::Tissue => return None,
-            Quantity::Displacement => ("Displacement from end-diastole", unit.length_symbol()),
-            Quantity::AreaRatio => ("Area relative to end-diastole", ""),
-            Quantity::ThicknessRatio => ("PT, thickness ratio to end-diastole", ""),
-            Quantity::Contribution => ("Contribution to the distance", "relative to the mean"),
-            Quantity::MotionDifference => ("Difference from own motion", unit.length_symbol()),
-        };
         Some(Self {
-            title: title.to_owned(),
-            unit,
+            title: quantity.title()?.to_owned(),
+            unit: quantity.unit(unit),
             note,
             ticks: ticks(limits),
-            map: colour_map(quantity)?,
+            map: quantity.colour_map()?,
             // As the renderer compares, so that an end colour on the heart is always explained.
             below: extremes[0] < limits.low,
             above: extremes[1] > limits.high,
@@ -82,17 +74,7 @@ impl ColourLegend {
     }
 }
 
-/// The map that fits a quantity; `None` for tissue.
-pub(crate) fn colour_map(quantity: Quantity) -> Option<ColourMap> {
-    match quantity {
-        Quantity::Tissue => None,
-        Quantity::Displacement => Some(ColourMap::viridis()),
-        Quantity::AreaRatio | Quantity::ThicknessRatio => Some(ColourMap::ratio()),
-        Quantity::Contribution | Quantity::MotionDifference => Some(ColourMap::cividis()),
-    }
-}
-
-fn ticks(limits: ColourLimits) -> Vec<Tick> {
+fn ticks(limits: ColourRange) -> Vec<Tick> {
     let (low, high) = (f64::from(limits.low), f64::from(limits.high));
     let tick = |value: f64, share: f64, text: String| Tick {
         value,
@@ -128,7 +110,7 @@ mod tests {
 
     #[test]
     fn the_bar_of_a_ratio_has_one_in_its_middle() {
-        let limits = ColourLimits {
+        let limits = ColourRange {
             low: 0.5,
             high: 2.0,
             logarithmic: true,
@@ -149,7 +131,7 @@ mod tests {
 
     #[test]
     fn lengths_say_their_unit() {
-        let limits = ColourLimits {
+        let limits = ColourRange {
             low: 0.0,
             high: 20.0,
             logarithmic: false,

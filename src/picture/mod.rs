@@ -5,9 +5,8 @@ mod bulls_eye;
 mod colour_map;
 mod colour_ranges;
 pub mod figure;
-mod fit;
+mod fitted_camera;
 mod frame_words;
-mod heart_frame;
 mod label_marks;
 mod legend;
 mod medial;
@@ -24,6 +23,7 @@ pub mod report;
 mod scale_bar;
 mod scene;
 mod scene_settings;
+mod subject_frame;
 mod surface_scalars;
 mod ticks;
 mod tokens;
@@ -35,12 +35,11 @@ pub use bulls_eye::{
     sector_outline, sector_strip,
 };
 pub use colour_map::ColourMap;
-pub use colour_ranges::{CohortLimits, reference_frame};
-pub use fit::fitted_camera;
+pub use colour_ranges::{CohortColourRanges, reference_frame};
+pub use fitted_camera::fitted_camera;
 pub use frame_words::{
     frame_words, frames_around, is_between, position_words, share_unit, share_words,
 };
-pub use heart_frame::SubjectFrame;
 pub use label_marks::{LabelMark, MarkShape, label_colour_of};
 pub use legend::{ColourLegend, Tick, USER_LIMITS};
 pub use medial::{
@@ -58,6 +57,7 @@ pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;
 pub use scene::{SubjectExtras, SubjectScene, scene_with_extras, subject_scene};
 pub use scene_settings::SceneSettings;
+pub use subject_frame::SubjectFrame;
 pub use surface_scalars::{SurfaceScalars, relative_density};
 pub use ticks::{logarithmic_ticks, nice_ceiling, nice_floor, nice_ticks, tick_text};
 pub use tokens::{PictureTheme, srgb};

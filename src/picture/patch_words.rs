@@ -230,7 +230,7 @@ mod tests {
             centroid: Point3::origin(),
             border: Vec::new(),
             thickening: 0.0,
-            confidence: 1.0,
+            stability: 1.0,
             path: Vec::new(),
             temporal_consistency: TemporalConsistency::default(),
         }

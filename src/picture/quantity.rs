@@ -1,6 +1,9 @@
-//! What the colours on a heart can stand for.
+//! What the colours on a subject can stand for, and which colours, title and unit that has.
 
 use serde::{Deserialize, Serialize};
+
+use crate::picture::colour_map::ColourMap;
+use crate::units::LengthUnit;
 
 /// A number on every vertex, or plain tissue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -31,9 +34,6 @@ impl Quantity {
         Self::ThicknessRatio,
     ];
 
-    /// Those that two hearts have together.
-    pub const OF_TWO: [Self; 2] = [Self::Contribution, Self::MotionDifference];
-
     /// The word in menus.
     pub fn name(self) -> &'static str {
         match self {
@@ -58,14 +58,41 @@ impl Quantity {
         }
     }
 
-    /// The next one of a heart by itself, and after the last the first.
-    pub fn next(self) -> Self {
+    /// The title of its colour bar; `None` for tissue, which has no numbers.
+    pub(crate) fn title(self) -> Option<&'static str> {
         match self {
-            Self::Tissue => Self::Displacement,
-            Self::Displacement => Self::AreaRatio,
-            Self::AreaRatio => Self::ThicknessRatio,
-            Self::ThicknessRatio | Self::Contribution | Self::MotionDifference => Self::Tissue,
+            Self::Tissue => None,
+            Self::Displacement => Some("Displacement from end-diastole"),
+            Self::AreaRatio => Some("Area relative to end-diastole"),
+            Self::ThicknessRatio => Some("PT, thickness ratio to end-diastole"),
+            Self::Contribution => Some("Contribution to the distance"),
+            Self::MotionDifference => Some("Difference from own motion"),
         }
+    }
+
+    /// The unit of its numbers; empty for ratios.
+    pub(crate) fn unit(self, length: LengthUnit) -> &'static str {
+        match self {
+            Self::Displacement | Self::MotionDifference => length.length_symbol(),
+            Self::Contribution => "relative to the mean",
+            Self::Tissue | Self::AreaRatio | Self::ThicknessRatio => "",
+        }
+    }
+
+    /// Its colours, the same on the surface, the bull's-eye and the legend; `None` for tissue.
+    pub(crate) fn colour_map(self) -> Option<ColourMap> {
+        match self {
+            Self::Tissue => None,
+            Self::Displacement => Some(ColourMap::viridis()),
+            Self::AreaRatio | Self::ThicknessRatio => Some(ColourMap::ratio()),
+            Self::Contribution | Self::MotionDifference => Some(ColourMap::cividis()),
+        }
+    }
+
+    /// The next of [`Self::ALL`]; the first after the last, and after one that a subject has not by itself.
+    pub fn next(self) -> Self {
+        let place = Self::ALL.iter().position(|&other| other == self);
+        Self::ALL[place.map_or(0, |place| (place + 1) % Self::ALL.len())]
     }
 
     /// Whether its numbers come from an analysis and not from the surfaces alone.

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::picture::fit::blended;
-use crate::picture::legend::{ColourLegend, USER_LIMITS, colour_map};
+use crate::picture::fitted_camera::blended;
+use crate::picture::legend::{ColourLegend, USER_LIMITS};
 use crate::picture::medial::{SubjectMedial, add_marks, atom_legend};
 use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 use crate::picture::quantity::Quantity;
@@ -14,7 +14,7 @@ use crate::picture::tokens::{
     WALL_CUT,
 };
 use crate::render::{
-    ColourLimits, GeometryPose, Points, Scene, Surface, SurfaceColour, VertexScalars, Wireframe,
+    ColourRange, GeometryPose, Points, Scene, Surface, SurfaceColour, VertexScalars, Wireframe,
 };
 use crate::study::SurfaceKind;
 
@@ -157,10 +157,10 @@ fn scalars<'a>(
     })
 }
 
-fn limits(settings: &SceneSettings) -> ColourLimits {
-    let range = settings.cohort_limits.range(settings.quantity);
+fn limits(settings: &SceneSettings) -> ColourRange {
+    let range = settings.cohort_ranges.range(settings.quantity);
     match settings.typed_limits {
-        Some([low, high]) if high > low && (low > 0.0 || !range.logarithmic) => ColourLimits {
+        Some([low, high]) if high > low && (low > 0.0 || !range.logarithmic) => ColourRange {
             low: low as f32,
             high: high as f32,
             logarithmic: range.logarithmic,
@@ -182,12 +182,12 @@ fn drawn(
     surface: &PreparedSurface,
     numbers: Option<&SurfaceScalars>,
     settings: &SceneSettings,
-    limits: ColourLimits,
+    limits: ColourRange,
     pose: GeometryPose,
 ) -> Surface {
     let translucent = surface.role == SurfaceRole::Outer && settings.inner;
     let scalars = scalars(surface, numbers, settings.quantity).filter(|_| !translucent);
-    let colour = match scalars.zip(colour_map(settings.quantity)) {
+    let colour = match scalars.zip(settings.quantity.colour_map()) {
         Some((scalars, map)) => SurfaceColour::Scalars {
             scalars: Arc::clone(scalars),
             map: map.colours,

@@ -1,6 +1,6 @@
 //! How a heart is drawn: quantity, colours, surfaces, marks.
 
-use crate::picture::colour_ranges::CohortLimits;
+use crate::picture::colour_ranges::CohortColourRanges;
 use crate::picture::medial::MedialSettings;
 use crate::picture::quantity::Quantity;
 use crate::picture::tokens::PictureTheme;
@@ -12,7 +12,7 @@ pub struct SceneSettings {
     /// Quantity shown in colour.
     pub quantity: Quantity,
     /// The study's fixed ranges.
-    pub cohort_limits: CohortLimits,
+    pub cohort_ranges: CohortColourRanges,
     /// Typed limits in their place.
     pub typed_limits: Option<[f64; 2]>,
     /// Whether the inner side of the wall is drawn.
@@ -39,7 +39,7 @@ impl Default for SceneSettings {
     fn default() -> Self {
         Self {
             quantity: Quantity::default(),
-            cohort_limits: CohortLimits::default(),
+            cohort_ranges: CohortColourRanges::default(),
             typed_limits: None,
             inner: true,
             outer: true,

@@ -4,6 +4,7 @@ use super::pipelines::{layout, texture_entry, uniform_entry};
 use super::targets::Resolved;
 use super::uniforms::{BlitUniform, Quality};
 use super::uploads::Gpu;
+use super::whole_picture::whole_picture_pipeline;
 
 /// The whole shader text.
 pub(super) const SHADER: &str = include_str!("shaders/blit.wgsl");
@@ -117,38 +118,14 @@ fn blit_pipeline(
     group: &wgpu::BindGroupLayout,
     format: wgpu::TextureFormat,
 ) -> wgpu::RenderPipeline {
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("blit"),
-        bind_group_layouts: &[Some(group)],
-        immediate_size: 0,
-    });
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("blit"),
         source: wgpu::ShaderSource::Wgsl(SHADER.into()),
     });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("blit"),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vs_whole"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some("fs_over"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(wgpu::ColorTargetState {
-                format,
-                blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-                write_mask: wgpu::ColorWrites::ALL,
-            })],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+    let over = wgpu::ColorTargetState {
+        format,
+        blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+        write_mask: wgpu::ColorWrites::ALL,
+    };
+    whole_picture_pipeline(device, "blit", &module, "fs_over", &[group], over)
 }

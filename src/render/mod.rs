@@ -27,6 +27,7 @@ mod tests;
 mod uniforms;
 mod uploads;
 mod view;
+mod whole_picture;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Projected, Ray};
@@ -36,7 +37,8 @@ pub use offscreen::{Headless, LARGEST_PICTURE, Picture, RenderError};
 pub use pick::{Hit, pick, pick_along};
 pub use renderer::{Counters, Renderer, ViewId};
 pub use scene::{
-    ColourLimits, Geometry, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface,
+    ColourRange, Geometry, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface,
     SurfaceColour, VertexScalars, Wireframe,
 };
 pub use uniforms::{Quality, Resolution};
+pub use whole_picture::whole_picture_pipeline;

@@ -3,6 +3,7 @@
 use super::pipelines::{Layouts, PLAIN, layout, texture_entry};
 use super::shaders::COMMON;
 use super::targets::{OCCLUSION, Scratch};
+use super::whole_picture::whole_picture_pipeline;
 
 /// How occlusion and distance share a texel.
 pub(super) const TEXEL: &str = include_str!("shaders/occlusion_texel.wgsl");
@@ -37,7 +38,10 @@ impl OcclusionPass {
             label: Some("occlusion"),
             source: wgpu::ShaderSource::Wgsl(shader_text().into()),
         });
-        let pipeline = |entry, own| step_pipeline(device, &module, entry, [&layouts.view, own]);
+        let pipeline = |entry, own| {
+            let groups = [&layouts.view, own];
+            whole_picture_pipeline(device, entry, &module, entry, &groups, OCCLUSION.into())
+        };
         Self {
             distance: pipeline("fs_distance", &depth_layout),
             gather: pipeline("fs_gather", &before_layout),
@@ -97,38 +101,4 @@ impl OcclusionPass {
             pass.draw(0..3, 0..1);
         }
     }
-}
-
-fn step_pipeline(
-    device: &wgpu::Device,
-    module: &wgpu::ShaderModule,
-    entry: &str,
-    groups: [&wgpu::BindGroupLayout; 2],
-) -> wgpu::RenderPipeline {
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some(entry),
-        bind_group_layouts: &groups.map(Some),
-        immediate_size: 0,
-    });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(entry),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("vs_whole"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(OCCLUSION.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
 }

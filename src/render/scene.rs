@@ -40,7 +40,7 @@ pub struct VertexScalars {
 
 /// Which numbers the ends of a colour map stand for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ColourLimits {
+pub struct ColourRange {
     /// Value of the first colour.
     pub low: f32,
     /// Value of the last colour.
@@ -61,7 +61,7 @@ pub enum SurfaceColour {
         /// Colours from low to high, sRGB, evenly spaced; usually 256.
         map: Arc<[[u8; 3]]>,
         /// Which numbers the ends stand for.
-        limits: ColourLimits,
+        limits: ColourRange,
         /// Colour of values below the range.
         below: [f32; 3],
         /// Colour of values above the range.

@@ -1,4 +1,4 @@
-//! What the shaders are known, in the layout of their structs.
+//! What the shaders are told, in the layout of their structs.
 
 use bytemuck::{Pod, Zeroable};
 

@@ -2,16 +2,17 @@
 
 use std::fmt::Write;
 
+use super::atoms::AtomRow;
 use super::experiments::NoiseRow;
 use super::fits::FitRow;
 use super::maps::{DeformationRow, MedialPoseRow, PoseRow, distances_described};
 use super::measures::{FrameRow, SubjectRow};
 use super::medial_atoms::MedialAtomRow;
 use super::patch_segments::PatchSegmentRow;
+use super::patches::PatchRow;
 use super::segments::SegmentRow;
 use super::table::{TableWords, described};
 use super::verdicts::VerdictRow;
-use super::wall::{AtomRow, PatchRow};
 use crate::analysis::experiments::{
     ComparisonRow, InterpolationCase, LocalisationRow, MedialNoiseCell, PartnerRow, TransportCase,
 };

@@ -1,9 +1,9 @@
 //! The segments that patches touch, a row each, for programs that do not take lists apart.
 
+use super::assessed_wall::AssessedWall;
 use super::column::{Column, column};
 use super::shared;
 use super::table::Row;
-use super::wall::AssessedWall;
 
 /// One segment that a patch touches.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,9 +1,9 @@
 //! The 17 segments of each subject, or four levels where the orientation is not known.
 
+use super::assessed_wall::AssessedWall;
 use super::column::{Column, Digits, Unit, column};
 use super::shared;
 use super::table::Row;
-use super::wall::AssessedWall;
 use crate::analysis::segments::{Level, Segment, level};
 use crate::analysis::thickening::{PlaceThickening, thickening_of_levels, thickening_of_segments};
 use crate::units::LengthUnit;

@@ -4,9 +4,9 @@ use serde_json::{Value, json};
 
 use crate::analysis::verdicts::{AppliedClassifier, ClassifierSource, VerdictParams, Verdicts};
 
-/// `rule` is `"learnt"` for a classifier trained on the labelled subjects, `"file"` for a rule that was learnt on another study,
+/// `rule` names where the classifier comes from: trained on the labelled subjects, `"file"` for one that was trained on another study,
 /// `"built-in"` for the one that ships with the program, where they
-/// are too few; `quality` is null then, and `classifier` says what the rule was learnt on. Counts are subjects; accuracy and AUC are leave-one-out, beside their
+/// are too few; `quality` is null then, and `classifier` says what it was trained on. Counts are subjects; accuracy and AUC are leave-one-out, beside their
 /// permutation means.
 pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
     let (source, normal, abnormal) = match &verdicts.classifier {

@@ -2,8 +2,9 @@
 
 use serde_json::{Value, json};
 
+use super::assessed_wall::AssessedWall;
+use super::patches::PatchRow;
 use super::table::json_cells;
-use super::wall::{AssessedWall, PatchRow};
 use crate::analysis::medial::MedialParams;
 use crate::analysis::medial_space::RatioForm;
 use crate::analysis::thickening::{HalfBeat, Patch, ThickeningParams, WallThickening};
@@ -78,7 +79,7 @@ pub fn unassessed_wall_json(subject: &str, reason: &str) -> Value {
     json!({ "subject": subject, "assessed": false, "reason": reason })
 }
 
-/// The columns of `patches.csv` that are single numbers, then what only the summary has.
+/// [`PatchRow::IN_SUMMARY`], then what only the summary has.
 fn patch_json(row: &PatchRow, patch: &Patch) -> Value {
     let segments: Vec<Value> = (patch.segments.iter())
         .map(|part| {
@@ -90,13 +91,7 @@ fn patch_json(row: &PatchRow, patch: &Patch) -> Value {
             })
         })
         .collect();
-    let columns = [
-        PatchRow::AREA_CM2,
-        PatchRow::SHARE,
-        PatchRow::STABILITY,
-        PatchRow::THICKNESS_RATIO,
-    ];
-    let mut object = json_cells(row, &columns);
+    let mut object = json_cells(row, &PatchRow::IN_SUMMARY);
     let consistency = patch.temporal_consistency;
     let further = [
         ("segments", json!(segments)),

@@ -241,6 +241,12 @@ impl MeshSequence {
         self.surfaces.iter().find(|surface| surface.kind == kind)
     }
 
+    /// Endocardium and epicardium, if the subject has both.
+    pub fn wall_pair(&self) -> Option<[&SurfaceSequence; 2]> {
+        let inner = self.surface(SurfaceKind::Endocardium)?;
+        Some([inner, self.surface(SurfaceKind::Epicardium)?])
+    }
+
     /// Number of frames, at least one.
     pub fn frame_count(&self) -> usize {
         self.surfaces[0].frames.len()

@@ -9,7 +9,7 @@ use cardiomorph::analysis::experiments::{Noise, NoiseFamily, NoiseReference, noi
 use cardiomorph::analysis::measures::measure_subject;
 use cardiomorph::analysis::medial::{MedialParams, medial_beat, medial_surface};
 use cardiomorph::analysis::segments::long_axis;
-use cardiomorph::analysis::thickening::{ThickeningParams, thickening};
+use cardiomorph::analysis::thickening::{ThickeningParams, ThickeningSettings, thickening};
 use cardiomorph::analysis::thickness_methods::{
     LabelGrid, ThicknessMethod, ThicknessParams, VoxelLabel, laplace_field, thickness,
 };
@@ -17,8 +17,7 @@ use cardiomorph::analysis::verdicts::{
     Examined, NotAssessed, VerdictInput, VerdictParams, examine, verdicts,
 };
 use cardiomorph::engine::{
-    MeasuresQuery, MedialSurfacesQuery, Store, StoreOptions, ThickeningSettings,
-    WallThickeningQuery,
+    MeasuresQuery, MedialSurfacesQuery, Store, StoreOptions, WallThickeningQuery,
 };
 use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::mesh::{Faces, TriMesh, phantom};

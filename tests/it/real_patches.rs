@@ -120,7 +120,7 @@ fn each_infarcted_heart_has_patches_with_segments_area_and_centroid() {
     let hearts = all_thickened(&with_label(&study, "MINF"));
     assert_eq!(hearts.len(), 20);
     println!(
-        "heart, EF: share, area, centroid in mm, PT, confidence: segments with their share of the patch"
+        "heart, EF: share, area, centroid in mm, PT, stability: segments with their share of the patch"
     );
     let mut without = 0;
     for (subject, beat, found) in &hearts {
@@ -142,13 +142,7 @@ fn each_infarcted_heart_has_patches_with_segments_area_and_centroid() {
         for patch in &found.patches {
             let area = patch.area_cm2.unwrap();
             let segments: Vec<String> = (patch.segments.iter())
-                .map(|part| {
-                    format!(
-                        "{} {:.0} %",
-                        part.segment.short_name(),
-                        100.0 * part.of_patch
-                    )
-                })
+                .map(|part| format!("{} {:.0} %", part.segment.name(), 100.0 * part.of_patch))
                 .collect();
             let [x, y, z] = [patch.centroid.x, patch.centroid.y, patch.centroid.z];
             println!(
@@ -156,7 +150,7 @@ fn each_infarcted_heart_has_patches_with_segments_area_and_centroid() {
                 subject.id,
                 100.0 * patch.share,
                 patch.thickening.exp(),
-                patch.confidence,
+                patch.stability,
                 segments.join(", ")
             );
             assert!((area - 0.01 * patch.share * found.regular_area).abs() < 1e-9 * area);

@@ -248,10 +248,10 @@ fn the_mean_of_volunteers_has_a_plausible_wall_at_both_phases() {
     });
     for patch in &found.patches {
         println!(
-            "patch of {:.0} % at {:?}, confidence {}",
+            "patch of {:.0} % at {:?}, stability {}",
             100.0 * patch.share,
             patch.centroid,
-            patch.confidence
+            patch.stability
         );
     }
     // SOURCE.md has 8.1 and 12.6 mm, by nearest distances.

@@ -19,12 +19,9 @@ pub const FREE_IN_COMMENTS: &[&str] = &[
     "elsewhere",
     "found again",
     "has seen",
-    "learnt",
     "missed",
     "notice",
-    "rules",
     "stated",
-    "the rule",
 ];
 
 /// What is not said, and what is said instead.

@@ -6,7 +6,7 @@ use crate::numeric::{factorise_positive, solve_positive};
 use crate::progress::{Progress, Stopped};
 
 use super::lle_params::CheckedLleParams;
-use super::{Embedding, EmbeddingError, Neighbours};
+use super::{EmbeddingError, Neighbours};
 
 /// For every item the weights, summing to 1, with which its neighbours come nearest to it.
 ///
@@ -20,7 +20,6 @@ use super::{Embedding, EmbeddingError, Neighbours};
 pub struct LocalWeights {
     neighbours: Neighbours,
     weights: Vec<f64>,
-    regularisation: f64,
 }
 
 impl LocalWeights {
@@ -68,45 +67,7 @@ impl LocalWeights {
         Ok(Self {
             neighbours,
             weights,
-            regularisation,
         })
-    }
-
-    /// The same with items appended: `points` holds the rows of before, unchanged, and those of new
-    /// items. Weights are solved for only where neighbours changed; also returns those rows.
-    ///
-    /// The result is that of [`LocalWeights::of_points`], bit for bit.
-    ///
-    /// # Errors
-    /// As [`Neighbours::with_more_points`].
-    pub fn with_more_points(
-        &self,
-        points: &[f64],
-        items: usize,
-        progress: &Progress,
-    ) -> Result<(Self, Vec<usize>), EmbeddingError> {
-        let (neighbours, changed) = self.neighbours.with_more_points(points, items, progress)?;
-        let count = neighbours.count();
-        let mut weights = self.weights.clone();
-        weights.resize(items * count, 0.0);
-        let local = Local {
-            points,
-            width: points.len() / items.max(1),
-            regularisation: self.regularisation,
-        };
-        let mut scratch = Scratch::default();
-        // Weights of the others cannot change: they depend on their own neighbours alone.
-        for &item in &changed {
-            progress.check()?;
-            let weights = &mut weights[item * count..][..count];
-            local.solve(local.row(item), neighbours.of(item), weights, &mut scratch);
-        }
-        let more = Self {
-            neighbours,
-            weights,
-            regularisation: self.regularisation,
-        };
-        Ok((more, changed))
     }
 
     /// The neighbours that weights are of.
@@ -118,49 +79,6 @@ impl LocalWeights {
     pub fn of(&self, item: usize) -> &[f64] {
         let count = self.neighbours.count();
         &self.weights[item * count..][..count]
-    }
-
-    /// Where a new point lies on a map of these points: the mean, with its own weights, of where its
-    /// nearest items lie. The map stays as it is.
-    ///
-    /// `points` are those that the weights were made of. An item of the map is put near its place,
-    /// not onto it: its neighbours place it, itself left out.
-    ///
-    /// Source: Saul and Roweis (2003), JMLR 4, section 6.1.
-    ///
-    /// # Errors
-    /// If `points`, `map` and `point` do not fit one another, or a coordinate is not finite.
-    pub fn placed(
-        &self,
-        points: &[f64],
-        map: &Embedding,
-        point: &[f64],
-    ) -> Result<Vec<f64>, EmbeddingError> {
-        let items = self.neighbours.len();
-        let width = points.len() / items.max(1);
-        if point.len() != width || points.len() != width * items || map.len() != items {
-            let values = points.len() + point.len();
-            return Err(EmbeddingError::Points { values, items });
-        }
-        let with_new = [points, point].concat();
-        let (neighbours, _) =
-            self.neighbours
-                .with_more_points(&with_new, items + 1, &Progress::default())?;
-        let nearest = neighbours.of(items);
-        let mut weights = vec![0.0; nearest.len()];
-        let local = Local {
-            points,
-            width,
-            regularisation: self.regularisation,
-        };
-        local.solve(point, nearest, &mut weights, &mut Scratch::default());
-        let mut place = vec![0.0; map.dimensions];
-        for (&item, weight) in nearest.iter().zip(&weights) {
-            for (x, y) in place.iter_mut().zip(map.point(item as usize)) {
-                *x += weight * y;
-            }
-        }
-        Ok(place)
     }
 }
 
@@ -260,43 +178,7 @@ mod tests {
         }
     }
 
-    #[test]
-    fn a_new_point_between_items_is_placed_between_them() {
-        let grid: Vec<f64> = (0..25)
-            .flat_map(|i| [f64::from(i % 5), f64::from(i / 5)])
-            .collect();
-        let weights = of(&grid, 25, &params(4, 1e-6));
-        let map = Embedding {
-            dimensions: 1,
-            coordinates: grid.chunks(2).map(|p| 3.0 * p[0] - p[1] + 7.0).collect(),
-            ..Embedding::default()
-        };
-        let place = weights.placed(&grid, &map, &[1.5, 2.5]).unwrap();
-        assert!((place[0] - (4.5 - 2.5 + 7.0)).abs() < 1e-5);
-        assert!(weights.placed(&grid, &map, &[1.5]).is_err());
-        assert!(weights.placed(&grid, &map, &[1.5, f64::NAN]).is_err());
-    }
-
     proptest! {
-        #[test]
-        fn adding_items_solves_only_where_neighbours_change_and_gives_the_same_bits(
-            points in prop::collection::vec(-1.0_f64..1.0, 60..150),
-            added in 1_usize..4,
-        ) {
-            let items = points.len() / 3;
-            let points = &points[..3 * items];
-            let params = params(5, 1e-3);
-            let before = items - added;
-            let known = of(&points[..3 * before], before, &params);
-            let (more, solved) =
-                known.with_more_points(points, items, &Progress::default()).unwrap();
-            prop_assert_eq!(&more, &of(points, items, &params));
-            prop_assert!(solved.len() >= added);
-            for item in (0..before).filter(|item| !solved.contains(item)) {
-                prop_assert_eq!(known.neighbours().of(item), more.neighbours().of(item));
-            }
-        }
-
         #[test]
         fn weights_sum_to_one_and_ignore_motions_and_size(
             points in prop::collection::vec(-1.0_f64..1.0, 40..60),

@@ -1,4 +1,4 @@
-//! The nearest items of every item: found once, and kept when items are added.
+//! The nearest items of every item: found by comparing every pair.
 
 use rayon::prelude::*;
 
@@ -72,51 +72,6 @@ impl Neighbours {
         Ok(Self::from_rows(count, nearest))
     }
 
-    /// The same with items appended: `points` holds the rows of before, unchanged, and those of new
-    /// items. Also returns the rows whose neighbours changed, the new ones included, ascending.
-    ///
-    /// Costs what comparing every item with the new ones costs; the result is that of
-    /// [`Neighbours::of_points`], bit for bit.
-    ///
-    /// # Errors
-    /// As [`Neighbours::of_points`], and if there are fewer items than before.
-    pub fn with_more_points(
-        &self,
-        points: &[f64],
-        items: usize,
-        progress: &Progress,
-    ) -> Result<(Self, Vec<usize>), EmbeddingError> {
-        let axes = axes(points, items)?;
-        let before = self.len();
-        if items < before {
-            let values = points.len();
-            return Err(EmbeddingError::Points { values, items });
-        }
-        progress.expect_steps(items);
-        let nearest = (0..items)
-            .into_par_iter()
-            .map_init(Vec::new, |squares, item| {
-                progress.step()?;
-                // A new item has no known neighbours; old ones can only gain new items.
-                if item >= before {
-                    return Ok((true, nearest_of_point(&axes, item, self.count, squares)));
-                }
-                let mut nearest = Nearest::new(self.count);
-                for &other in self.of(item) {
-                    nearest.offer(square(&axes, item, other as usize), other as usize);
-                }
-                let mut changed = false;
-                for other in before..items {
-                    changed |= nearest.offer(square(&axes, item, other), other);
-                }
-                Ok((changed, nearest.rooted()))
-            })
-            .collect::<Result<Vec<_>, Stopped>>()?;
-        let changed = (0..items).filter(|&item| nearest[item].0).collect();
-        let nearest = nearest.into_iter().map(|(_, nearest)| nearest).collect();
-        Ok((Self::from_rows(self.count, nearest), changed))
-    }
-
     /// Neighbours of each item.
     pub fn count(&self) -> usize {
         self.count
@@ -182,14 +137,6 @@ fn axes(points: &[f64], items: usize) -> Result<Vec<Vec<f64>>, EmbeddingError> {
     Ok((0..width).map(along).collect())
 }
 
-/// Squared distance; the terms are summed in the order of the axes, as in [`nearest_of_point`].
-fn square(axes: &[Vec<f64>], a: usize, b: usize) -> f64 {
-    axes.iter().fold(0.0, |sum, axis| {
-        let step = axis[a] - axis[b];
-        sum + step * step
-    })
-}
-
 fn nearest_of_point(
     axes: &[Vec<f64>],
     item: usize,
@@ -232,12 +179,12 @@ impl Nearest {
 
     /// Takes an item in if it is nearer than the farthest; to be offered in the order of indices.
     #[inline]
-    fn offer(&mut self, distance: f64, index: usize) -> bool {
+    fn offer(&mut self, distance: f64, index: usize) {
         if self.indices.len() == self.count
             // Not `>`: of equal distances the item that was offered first stays.
             && self.distances.last().is_some_and(|last| distance >= *last)
         {
-            return false;
+            return;
         }
         // Behind equals, so that ties are in the order of the items.
         let place = self.distances.partition_point(|known| *known <= distance);
@@ -245,7 +192,6 @@ impl Nearest {
         self.indices.insert(place, index as u32);
         self.distances.truncate(self.count);
         self.indices.truncate(self.count);
-        true
     }
 
     /// Distances from their squares.
@@ -307,27 +253,6 @@ mod tests {
     }
 
     proptest! {
-        // Coordinates on a coarse grid, so that many distances tie.
-        #[test]
-        fn adding_items_gives_the_bits_of_starting_anew(
-            grid in prop::collection::vec(-4_i8..4, 24..120),
-            added in 1_usize..6,
-            count in 1_usize..6,
-        ) {
-            let items = grid.len() / 3;
-            let points: Vec<f64> = grid[..3 * items].iter().map(|&x| f64::from(x) * 0.3).collect();
-            let before = items - added.min(items - count - 1);
-            let known = of(&points[..3 * before], before, count);
-            let (more, changed) =
-                known.with_more_points(&points, items, &Progress::default()).unwrap();
-            let anew = of(&points, items, count);
-            prop_assert_eq!(&more, &anew);
-            for item in 0..before {
-                prop_assert_eq!(changed.contains(&item), known.of(item) != anew.of(item));
-            }
-            prop_assert!((before..items).all(|item| changed.contains(&item)));
-        }
-
         #[test]
         fn no_item_left_out_is_nearer_than_one_taken_in(
             points in prop::collection::vec(-1.0_f64..1.0, 20..60),

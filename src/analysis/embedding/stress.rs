@@ -30,8 +30,15 @@ pub fn raw_stress(distances: &DistanceMatrix, map: &Embedding) -> Option<f64> {
     Some(rows.iter().sum())
 }
 
-/// Kruskal's stress 1, √(Σ (d − δ)² / Σ δ²) over pairs: 0 is perfect, 0.05 good, 0.2 poor. 0 where
-/// all items coincide on both.
+/// Stress that Kruskal calls good.
+pub const GOOD_STRESS: f64 = 0.05;
+/// Stress that he calls fair.
+pub const FAIR_STRESS: f64 = 0.1;
+/// Stress that he calls poor.
+pub const POOR_STRESS: f64 = 0.2;
+
+/// Kruskal's stress 1, √(Σ (d − δ)² / Σ δ²) over pairs: 0 is perfect; [`GOOD_STRESS`], [`FAIR_STRESS`] and [`POOR_STRESS`] say
+/// what else it means, by the table of the same source. 0 where all items coincide on both.
 ///
 /// The denominator holds the given distances, as in scikit-learn; Kruskal's d there differs by a
 /// factor √(1 − stress²) at a minimum.

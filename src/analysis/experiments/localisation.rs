@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use super::medial_methods::assessed;
 use super::noise_medial::disturbed;
 use super::noise_medial_params::{
-    Condition, at_least_one, check_levels, conditions, without_confidence,
+    Condition, at_least_one, check_levels, conditions, without_redraws,
 };
 use super::noise_result::mean_and_error;
 use super::sheet_patches::regular_areas;
@@ -54,7 +54,7 @@ impl Default for LocalisationParams {
             percents: vec![1.0, 2.5, 5.0, 10.0],
             per_kind: 4,
             redraws: 10,
-            thickening: without_confidence(),
+            thickening: without_redraws(),
             seed: 1,
         }
     }

@@ -45,7 +45,7 @@ impl Default for MedialNoiseParams {
             percents: vec![1.0, 2.5, 5.0, 10.0],
             redraws: 10,
             methods: MedialMethod::ALL.to_vec(),
-            thickening: without_confidence(),
+            thickening: without_redraws(),
             map: MapMethod::ClassicalMds,
             restarts: 50,
             permutations: 100,
@@ -55,7 +55,7 @@ impl Default for MedialNoiseParams {
 }
 
 /// The defaults of the search for patches; its redraws tell how sure a patch is, which is not asked here.
-pub(super) fn without_confidence() -> ThickeningParams {
+pub(super) fn without_redraws() -> ThickeningParams {
     ThickeningParams {
         // Stability takes most of the time, and no number of these tables reads it.
         redraws: 0,

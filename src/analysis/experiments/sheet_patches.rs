@@ -7,8 +7,9 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::mesh::{Point3, Vector3, vertex_areas};
 
-/// Half the width of the border of a patch in radians of the hemisphere, some 3 mm, and its most as a share of the radius.
+/// Half the width of the border of a patch in radians of the hemisphere: some 3 mm, one or two atoms. Not tuned.
 const HALF_BORDER_RAD: f64 = 0.08;
+/// And at most this share of the patch's radius, so that a small patch keeps a middle without thickening. Not tuned.
 const BORDER_SHARE: f64 = 0.35;
 /// Least remote myocardium between two patches, in radians: 10 to 20 mm.
 const APART_RAD: f64 = 0.4;

@@ -3,7 +3,7 @@
 use crate::mesh::{Faces, Point3};
 use crate::progress::Progress;
 
-use super::ends::check_ends;
+use super::path_ends::check_ends;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath, GeodesicSolver};
 
 /// Evaluations of the energy that subjects take; the bar waits at its end for more difficult ends.

@@ -6,17 +6,17 @@
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 3.2.3 and 3.3.1.
 
 mod coarse;
-mod ends;
 mod interpolate;
 mod minimise;
 mod params;
+mod path_ends;
 mod result;
 mod solver;
 mod stiffness;
 
-pub use ends::same_pose;
 pub use interpolate::geodesic;
 pub use params::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
+pub use path_ends::same_pose;
 pub use result::{GeodesicError, GeodesicPath};
 pub use solver::GeodesicSolver;
 

@@ -5,8 +5,8 @@ use crate::mesh::{Decimation, Faces, Point3, crossing_faces};
 use crate::progress::Progress;
 
 use super::coarse::prolonged;
-use super::ends::{check_ends, flat, same_pose};
 use super::minimise::{Content, Inner, cheapest, improve, resampled, time_levels};
+use super::path_ends::{check_ends, flat, same_pose};
 use super::stiffness::Stiffness;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath};
 

@@ -38,6 +38,7 @@ pub(super) fn inner_side(
     sheet: &Sheet,
     whole: &CappedSheet,
 ) -> Result<CappedSheet, InnerSideError> {
+    // Not tuned: a second cavity or a hole is some percent of the surface, a crumpled rim less.
     const MIN_PART: f64 = 0.98;
     // Files orient walls either way; what looks inwards is relative to that.
     let outward = whole.signed_volume(vertices).signum();

@@ -4,7 +4,6 @@
 
 mod beat;
 mod connectivity;
-mod ends;
 mod error;
 mod face_tree;
 mod length_search;
@@ -13,6 +12,7 @@ mod params;
 mod preparation;
 mod result;
 mod roughness;
+mod sheet_ends;
 mod smoothing;
 mod spheres;
 mod surface;

@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use super::ends::end_spokes;
 use super::error::MedialError;
 use super::face_tree::FacesOfPose;
 use super::params::CheckedMedialParams;
 use super::preparation::Prepared;
 use super::result::{Atom, MedialSurface};
+use super::sheet_ends::end_spokes;
 use super::spheres::{Fit, MedialSphere, WallOfPose};
 use super::wall_atlas::{WallAtlas, joined_points};
 use crate::mesh::{Point3, TriMesh, Vector3, vertex_normals};

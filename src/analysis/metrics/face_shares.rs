@@ -2,8 +2,8 @@
 
 use crate::mesh::Point3;
 
+use super::compared_curvature::Areas;
 use super::connectivity::Connectivity;
-use super::curvature::Areas;
 use super::metric::Metric;
 use super::pair_sums::Both;
 use super::params::Corners;

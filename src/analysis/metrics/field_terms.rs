@@ -2,8 +2,8 @@
 
 use crate::mesh::{Vector3, angle_deficits_rad};
 
+use super::compared_curvature::{Areas, curvature_density, deficit_rates, density_rates};
 use super::corner::{corner_terms, raw_units, times};
-use super::curvature::{Areas, curvature_density, deficit_rates, density_rates};
 use super::metric::Metric;
 use super::params::{Corners, Form, Regulariser};
 use super::pose::PreparedPose;

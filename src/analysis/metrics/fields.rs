@@ -11,7 +11,7 @@ impl Metric {
     /// `kinds`) plus λ Σ_p a_p X_p·Y_p.
     ///
     /// Linear in each field where [`super::MetricParams::is_inner_product`] says so. Frozen products take the curvature
-    /// change of each field; use [`Self::frozen_inner_product`] for given weights.
+    /// change of each field.
     /// Pairs of poses use ΔK = K(B) − K(A) also in the additive form, which agrees with its rate dK to first
     /// order in B − A. Fields of another length than the pose yield NaN.
     pub fn inner_product(&self, at: &PreparedPose, x: &[Vector3], y: &[Vector3]) -> f64 {
@@ -55,9 +55,19 @@ impl Metric {
         coordinates
     }
 
+    /// (ΔK_p)² of a pair of poses, per vertex; empty unless the metric is quasi-conformal.
+    pub fn frozen_weights(&self, a: &PreparedPose, b: &PreparedPose) -> Vec<f64> {
+        (a.curvature.iter().zip(&b.curvature))
+            .map(|(before, after)| (after - before).powi(2))
+            .collect()
+    }
+}
+
+#[cfg(test)]
+impl Metric {
     /// Σ_f a_f Σ_c w_c t_c(X) t_c(Y) + λ Σ_p a_p X_p·Y_p with weights w per vertex, such as
     /// those of [`Self::frozen_weights`]: an inner product at every pose.
-    pub fn frozen_inner_product(
+    pub(super) fn frozen_inner_product(
         &self,
         at: &PreparedPose,
         weights: &[f64],
@@ -80,12 +90,5 @@ impl Metric {
             })
             .sum();
         sum + self.regulariser(at, x, y)
-    }
-
-    /// (ΔK_p)² of a pair of poses, per vertex; empty unless the metric is quasi-conformal.
-    pub fn frozen_weights(&self, a: &PreparedPose, b: &PreparedPose) -> Vec<f64> {
-        (a.curvature.iter().zip(&b.curvature))
-            .map(|(before, after)| (after - before).powi(2))
-            .collect()
     }
 }

@@ -22,10 +22,10 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 2.3.6–2.3.7 and 3.2.
 
+mod compared_curvature;
 mod connectivity;
 mod contributions;
 mod corner;
-mod curvature;
 mod face_energy;
 mod face_shares;
 mod field_terms;

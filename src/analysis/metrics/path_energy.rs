@@ -12,17 +12,21 @@ mod rows;
 pub(super) mod state;
 mod step_energies;
 
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::Point3;
+#[cfg(test)]
+use crate::mesh::Vector3;
 use crate::numeric::LANES;
 
-use super::metric::{Metric, MetricError, PairNorms};
+#[cfg(test)]
+use super::metric::PairNorms;
+use super::metric::{Metric, MetricError};
 
 use state::{Gradients, PathState, Plan};
 
 /// E = Σ_i [⟨⟨X_i, X_i⟩⟩ at M_i + ⟨⟨X_i, X_i⟩⟩ at M_{i+1}], X_i = M_{i+1} − M_i, of a path whose ends
 /// are fixed, in the units of the metric.
 ///
-/// The sum of [`PairNorms::energy`] over its steps, poses as they lie; but the weights of the frozen form are
+/// The sum of [`super::PairNorms::energy`] over its steps, poses as they lie; but the weights of the frozen form are
 /// those of the two ends for all steps. Printed and bilinear quasi-conformal forms take ΔK of
 /// the step at both of its poses. The gradient takes everything along that depends on the poses: areas
 /// and their sum, curvature, the unit of the regulariser. Where the printed form has a kink, at a corner
@@ -153,13 +157,11 @@ impl PathEnergy {
     }
 }
 
+#[cfg(test)]
 impl Metric {
     /// Squared norms of X = B − A at A and at B, and the gradient of their sum with respect to the vertices
-    /// of A and of B. For many pairs of poses make a [`PathEnergy`].
-    ///
-    /// # Errors
-    /// If a pose has another number of points than the connectivity, or lengths overflow.
-    pub fn pair_gradient(
+    /// of A and of B. What the tests compare with finite differences.
+    fn pair_gradient(
         &self,
         a: &[Point3],
         b: &[Point3],

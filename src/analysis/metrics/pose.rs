@@ -2,8 +2,8 @@
 
 use crate::mesh::{Point3, Vector3, angle_deficits_rad};
 
+use super::compared_curvature::{Areas, curvature_density};
 use super::connectivity::Connectivity;
-use super::curvature::{Areas, curvature_density};
 use super::params::{CheckedMetricParams, Corners, Regulariser};
 use super::rigid::Moments;
 

@@ -60,25 +60,25 @@ impl Level {
     }
 }
 
-/// Name and short name of segments 1 to 17, as the standard calls them.
-const NAMES: [[&str; 2]; Segment::COUNT] = [
-    ["basal anterior", "BA"],
-    ["basal anteroseptal", "BAS"],
-    ["basal inferoseptal", "BIS"],
-    ["basal inferior", "BI"],
-    ["basal inferolateral", "BIL"],
-    ["basal anterolateral", "BAL"],
-    ["mid anterior", "MA"],
-    ["mid anteroseptal", "MAS"],
-    ["mid inferoseptal", "MIS"],
-    ["mid inferior", "MI"],
-    ["mid inferolateral", "MIL"],
-    ["mid anterolateral", "MAL"],
-    ["apical anterior", "AA"],
-    ["apical septal", "AS"],
-    ["apical inferior", "AI"],
-    ["apical lateral", "AL"],
-    ["apex", "Apex"],
+/// Names of segments 1 to 17, as the standard calls them.
+const NAMES: [&str; Segment::COUNT] = [
+    "basal anterior",
+    "basal anteroseptal",
+    "basal inferoseptal",
+    "basal inferior",
+    "basal inferolateral",
+    "basal anterolateral",
+    "mid anterior",
+    "mid anteroseptal",
+    "mid inferoseptal",
+    "mid inferior",
+    "mid inferolateral",
+    "mid anterolateral",
+    "apical anterior",
+    "apical septal",
+    "apical inferior",
+    "apical lateral",
+    "apex",
 ];
 
 impl Segment {
@@ -126,12 +126,7 @@ impl Segment {
 
     /// As the standard calls it: "basal anteroseptal".
     pub fn name(self) -> &'static str {
-        NAMES[self.index()][0]
-    }
-
-    /// Initials: "BAS".
-    pub fn short_name(self) -> &'static str {
-        NAMES[self.index()][1]
+        NAMES[self.index()]
     }
 
     /// Its ring.
@@ -183,7 +178,7 @@ mod tests {
         assert!(Segment::new(0).is_none() && Segment::new(18).is_none());
         assert_eq!(Segment::all().count(), Segment::COUNT);
         assert_eq!(Segment::new(2).unwrap().name(), "basal anteroseptal");
-        assert_eq!(Segment::new(14).unwrap().short_name(), "AS");
+        assert_eq!(Segment::new(17).unwrap().name(), "apex");
     }
 
     #[test]

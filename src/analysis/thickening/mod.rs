@@ -2,19 +2,20 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.6.
 
-mod averaged;
+mod akinetic_regions;
+mod averaged_thickening;
 mod by_place;
-mod confidence;
 mod curve;
-mod detection;
 mod diffusion;
 mod error;
 mod neighbours;
 mod noise;
 mod params;
 mod patches;
-mod regions;
 mod result;
+mod settings;
+mod smallest_detectable;
+mod stability;
 mod steps;
 mod surface;
 mod temporal_consistency;
@@ -33,6 +34,7 @@ pub use result::{
     HalfBeat, Patch, PatchSegment, SmallestPatch, TemporalConsistency, Thickening, ThickeningStep,
     WallThickening,
 };
+pub use settings::ThickeningSettings;
 pub use steps::{half_beat_of, thickness_ratios};
 pub use surface::phases;
 pub use thickening::thickening;

@@ -40,7 +40,7 @@ pub(super) fn segments_of(
 
 impl Wall<'_> {
     /// The patch of these atoms.
-    pub fn patch(&self, atoms: Vec<u32>, confidence: f64) -> Patch {
+    pub fn patch(&self, atoms: Vec<u32>, stability: f64) -> Patch {
         let area = self.area(&atoms);
         let weighted = |value: &dyn Fn(usize) -> f64| -> f64 {
             (atoms.iter().map(|&atom| atom as usize))
@@ -64,7 +64,7 @@ impl Wall<'_> {
             centroid: Point3::from(Vector3::from(centroid)),
             border: self.border(&atoms),
             thickening: weighted(&|atom| self.thickening[atom]) / area,
-            confidence,
+            stability,
             temporal_consistency: temporal_consistency(&path, &gaps, self.size),
             path,
             atoms,

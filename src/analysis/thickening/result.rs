@@ -84,7 +84,7 @@ pub struct Patch {
     /// Mean thickening, ln PT from end-diastole to end-systole from all poses.
     pub thickening: f64,
     /// Share of redraws of the noise in which it is detected again.
-    pub confidence: f64,
+    pub stability: f64,
     /// Its descriptor at every step, from all of its atoms.
     pub path: Vec<Option<PoseDescriptor>>,
     /// How steady that path is.

@@ -151,7 +151,7 @@ fn a_patch_is_found_where_it_is_with_its_area_and_steady_path() {
         }
         assert!((patch.centroid - SIDE * 30.0).coords.norm() < 30.0 * radius);
         assert_eq!(patch.border.len(), 1);
-        assert_eq!(patch.confidence, 1.0);
+        assert_eq!(patch.stability, 1.0);
         assert_eq!(patch.path.len(), 8);
         assert!(patch.thickening < most_off * 10.0 * WELL);
         assert!(patch.temporal_consistency.normal_spread_rad.unwrap() < 1e-9);
@@ -256,7 +256,7 @@ fn noise_is_estimated_and_widens_the_tolerance() {
     let limit = 0.6_f64.cos();
     let inside = |i: usize| noisy.frames[0].normals[i].dot(&SIDE) > limit;
     assert!(dice(&found.patches[0], inside, &noisy) > 0.85);
-    assert!(found.patches[0].confidence > 0.9);
+    assert!(found.patches[0].stability > 0.9);
 }
 
 proptest! {

@@ -5,15 +5,15 @@ use crate::analysis::medial::MedialBeat;
 use crate::analysis::segments::LongAxis;
 use crate::progress::Progress;
 
-use super::averaged::Averaged;
-use super::confidence::confidences;
+use super::akinetic_regions::{akinetic_regions, tidied};
+use super::averaged_thickening::AveragedThickening;
 use super::curve::centred_logs;
-use super::detection::smallest_detectable;
 use super::error::ThickeningError;
 use super::params::CheckedThickeningParams;
 use super::patches::{Wall, segments_of};
-use super::regions::{akinetic_regions, tidied};
 use super::result::{SmallestPatch, Thickening, WallThickening};
+use super::smallest_detectable::smallest_detectable;
+use super::stability::stabilities;
 use super::steps::{StepCriteria, steps, thickness_ratios};
 use super::surface::Surface;
 use super::temporal_consistency::temporal_consistency;
@@ -49,9 +49,9 @@ pub fn thickening(
     check(beat)?;
     progress.expect_steps(beat.frames.len());
     let mut surface = Surface::new(beat, measures)?;
-    let found = Averaged::new(&centred_logs(beat), &surface, params)?;
+    let estimate = AveragedThickening::new(&centred_logs(beat), &surface, params)?;
     // After averaging, since it smooths positions over the area that noise asked for.
-    surface.steady(beat, &found.diffusion);
+    surface.steady(beat, &estimate.diffusion);
     let Surface {
         mesh,
         at_end_diastole,
@@ -61,9 +61,9 @@ pub fn thickening(
     progress.check()?;
     // PT compares two poses, each with its own noise.
     let tolerance = (params.tolerance)
-        .unwrap_or_else(|| (2.0 * 2.0_f64.sqrt() * found.atom_noise).max(1.05_f64.ln()));
+        .unwrap_or_else(|| (2.0 * 2.0_f64.sqrt() * estimate.atom_noise).max(1.05_f64.ln()));
     let remote_curve: Vec<f64> = (0..beat.frames.len())
-        .map(|pose| found.curve.step(found.remote, ed, pose))
+        .map(|pose| estimate.curve.step(estimate.remote, ed, pose))
         .collect();
     let criteria = StepCriteria {
         remote_curve: &remote_curve,
@@ -72,13 +72,19 @@ pub fn thickening(
     };
     let steps = steps(beat, at_end_diastole, surface.phases, &criteria, progress)?;
     // A share of next to nothing is noise: hypokinesia is then global, and no patch is reported.
-    let parts = if found.hardly_thickens(params) {
+    let parts = if estimate.hardly_thickens(params) {
         Vec::new()
     } else {
-        let least = found.min_share;
-        akinetic_regions(&found.thickening, found.remote, &surface, least, params)
+        let least = estimate.min_share;
+        akinetic_regions(
+            &estimate.thickening,
+            estimate.remote,
+            &surface,
+            least,
+            params,
+        )
     };
-    let confidences = confidences(&found, &surface, &parts, params, progress)?;
+    let stabilities = stabilities(&estimate, &surface, &parts, params, progress)?;
     let wall = Wall {
         beat,
         mesh: at_end_diastole,
@@ -86,13 +92,13 @@ pub fn thickening(
         size: surface.size,
         unit: measures.unit,
         steps: &steps,
-        thickening: &found.thickening,
+        thickening: &estimate.thickening,
         segments: segments_of(beat, ed, axis),
         ratio: params.ratio,
     };
-    let tidied = |part| tidied(part, mesh, &surface.neighbours, found.min_share);
-    let patches: Vec<_> = (parts.into_iter().zip(confidences))
-        .map(|(part, confidence)| wall.patch(tidied(part), confidence))
+    let tidied = |part| tidied(part, mesh, &surface.neighbours, estimate.min_share);
+    let patches: Vec<_> = (parts.into_iter().zip(stabilities))
+        .map(|(part, stability)| wall.patch(tidied(part), stability))
         .collect();
     let telling = || steps.iter().filter(|step| step.telling);
     // Steps in which even remote myocardium keeps its thickness say nothing about who takes part.
@@ -102,26 +108,26 @@ pub fn thickening(
         end_diastole: ed,
         end_systole: es,
         tolerance,
-        noise: found.atom_noise,
+        noise: estimate.atom_noise,
         temporal_consistency: temporal_consistency(&path, &gaps, surface.size),
         ed_to_es: thickness_ratios(&beat.frames[ed], &beat.frames[es]),
-        smallest: smallest_detectable(&found, mesh, params).map(|share| SmallestPatch {
+        smallest: smallest_detectable(&estimate, mesh, params).map(|share| SmallestPatch {
             share,
             area: share * at_end_diastole.whole,
             area_cm2: wall.in_cm2(share * at_end_diastole.whole),
         }),
-        wall_thickening: match (found.hardly_thickens(params), patches.is_empty()) {
+        wall_thickening: match (estimate.hardly_thickens(params), patches.is_empty()) {
             (true, _) => WallThickening::HardlyAnywhere,
             (false, true) => WallThickening::Everywhere,
             (false, false) => WallThickening::AllButPatches,
         },
-        remote: found.remote,
+        remote: estimate.remote,
         remote_curve,
-        min_share: found.min_share,
-        averaged_share: found.share,
-        averaged_noise: found.noise,
+        min_share: estimate.min_share,
+        averaged_share: estimate.share,
+        averaged_noise: estimate.noise,
         regular_area: at_end_diastole.whole,
-        averaged: found.thickening,
+        averaged: estimate.thickening,
         at_edge: surface.at_edge,
         size: surface.size,
         steps,

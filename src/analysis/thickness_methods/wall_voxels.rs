@@ -145,6 +145,7 @@ impl WallVoxels {
         side: &ClosestPoint,
         progress: &Progress,
     ) -> Result<Vec<f64>, Stopped> {
+        // Voxels between two looks at the progress: some milliseconds.
         const PIECE: usize = 1_024;
         let labels = &self.grid.labels;
         let ends = [VoxelLabel::Wall, label];

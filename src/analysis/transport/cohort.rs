@@ -21,14 +21,14 @@ pub struct TransportedCohort {
     /// The subject that all motions were transported onto, its size normalised.
     pub reference: Vec<Point3>,
     /// The motions, in the order of the study.
-    pub members: Vec<TransportedSubject>,
+    pub members: Vec<MotionOnReference>,
     /// Subjects that take no part, in the order of the study.
     pub left_out: Vec<LeftOut>,
 }
 
 /// One subject's motion on the reference.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransportedSubject {
+pub struct MotionOnReference {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Frame at which the pose is the reference.
@@ -80,13 +80,13 @@ pub fn transport_cohort(
     let transport = DeformationTransport::new(&faces, &reference, &checked)?;
     let frames = comparable.iter().map(|m| m.subject.sequence.frame_count());
     progress.expect_steps(frames.map(|count| count - 1).sum());
-    let transported: Vec<Result<TransportedSubject, TransportError>> = comparable
+    let transported: Vec<Result<MotionOnReference, TransportError>> = comparable
         .par_iter()
         .zip(&rests)
         .map(|(member, rest)| {
             let beat = rest.beat_laid_onto(member.subject, &reference);
             let moved = transport.transport(&beat, &reference, progress)?;
-            Ok(TransportedSubject {
+            Ok(MotionOnReference {
                 subject: member.index,
                 end_diastole: rest.frame,
                 scale: rest.scale,

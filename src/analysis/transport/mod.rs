@@ -17,7 +17,7 @@ mod pose_path;
 
 pub use account::{FoundPath, TransportAccount, TransportedPoses, TransportedStep};
 pub use beat::{TransportedMotion, sequence_like, transported_motion};
-pub use cohort::{TransportedCohort, TransportedSubject, transport_cohort};
+pub use cohort::{MotionOnReference, TransportedCohort, transport_cohort};
 pub use deformation::{DeformationTransport, transport_deformation};
 pub use error::TransportError;
 pub use parallel::{Products, SampledPath, parallel_transport};

@@ -31,7 +31,7 @@ pub struct CheckedClassifier {
 }
 
 impl ClassifierFile {
-    /// Checks once that the rule is of this version, reads features of this program, and holds numbers alone. From now on it
+    /// Checks once that the classifier is of this version, reads features of this program, and holds numbers alone. From now on it
     /// is called `name`.
     ///
     /// # Errors
@@ -110,7 +110,7 @@ impl ClassifierFile {
     }
 }
 
-/// How the features are brought to a common scale; one that the rule does not read is 0.
+/// How the features are brought to a common scale; one that the classifier does not read is 0.
 fn design(rule: &ClassifierFile, reads: &[usize]) -> Design {
     let features = || rule.features.iter();
     let absences = || features().filter_map(|feature| feature.absence);
@@ -142,7 +142,7 @@ impl CheckedClassifier {
         &self.name
     }
 
-    /// The rule as it was written.
+    /// The classifier as it was written.
     pub fn rule(&self) -> &ClassifierFile {
         &self.rule
     }
@@ -158,8 +158,8 @@ impl CheckedClassifier {
         &self.trained
     }
 
-    /// Why a subject cannot be compared with those that the rule was learnt on, if it cannot: its meshes are of another kind or
-    /// too coarse, or what the rule reads of it lies too far out.
+    /// Why a subject cannot be compared with those that the classifier was trained on, if it cannot: its meshes are of another kind or
+    /// too coarse, or what the classifier reads of it lies too far out.
     pub(super) fn not_comparable(
         &self,
         subject: &Subject,
@@ -224,7 +224,7 @@ impl CheckedClassifier {
         distance_among(&self.rule.distances, self.distance_from_mean(standardised))
     }
 
-    /// What the rule reads of a subject and is outside the range of the training set.
+    /// What the classifier reads of a subject and is outside the range of the training set.
     pub(super) fn outside(&self, row: &[Option<f64>]) -> Vec<Feature> {
         (self.reads.iter().zip(&self.rule.features))
             .filter(

@@ -20,9 +20,9 @@ pub struct ClassifierFile {
     /// Where it comes from; files of before have none of it.
     #[serde(default)]
     pub origin: ClassifierOrigin,
-    /// What it was learnt on, and how good it is, leave-one-out.
+    /// What it was trained on, and how good it is, leave-one-out.
     pub training: ClassifierTraining,
-    /// The meshes that it was learnt on.
+    /// The meshes that it was trained on.
     pub meshes: ClassifierMeshes,
     /// What it reads, in the order of all weights: some or all of
     /// [`Feature::MODEL_FEATURES`](super::Feature::MODEL_FEATURES), in their order.
@@ -46,7 +46,7 @@ pub struct ClassifierOrigin {
     pub normal: Vec<String>,
     /// And as abnormal.
     pub abnormal: Vec<String>,
-    /// The program that learnt it, with its version.
+    /// The program that trained it, with its version.
     pub program: String,
     /// What its maker says of it.
     pub note: String,

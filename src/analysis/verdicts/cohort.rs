@@ -40,7 +40,7 @@ pub(super) struct Trained {
     pub label_models: Vec<(String, Model)>,
     /// Subjects of the training set, ascending.
     pub training_set: Vec<usize>,
-    /// `None` of a rule, which has none of the subjects that it was learnt on.
+    /// `None` of a classifier that is read, which has none of the subjects that it was trained on.
     pub quality: Option<ClassifierQuality>,
 }
 

@@ -8,7 +8,7 @@ pub enum VerdictError {
     /// It was asked to stop.
     #[error("{0}")]
     Stopped(#[from] Stopped),
-    /// The rule that ships with the program cannot be read.
+    /// The classifier that ships with the program cannot be read.
     #[error("the built-in classifier cannot be used: {0}")]
     BuiltIn(#[from] ClassifierError),
     /// Thickening and subjects are not of the same subjects.
@@ -21,7 +21,7 @@ pub enum VerdictError {
     },
 }
 
-/// Why no rule could be learnt.
+/// Why no classifier could be trained.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LearnError {
     /// As of verdicts.

@@ -66,9 +66,9 @@ impl Features {
                 Feature::PatchShare => Some(
                     // Weighted by detection stability, so that a doubtful patch counts less.
                     (thickening.patches.iter())
-                        .fold(0.0, |sum, patch| sum + patch.share * patch.confidence),
+                        .fold(0.0, |sum, patch| sum + patch.share * patch.stability),
                 ),
-                Feature::Confidence => Some(patch.map_or(0.0, |patch| patch.confidence)),
+                Feature::Confidence => Some(patch.map_or(0.0, |patch| patch.stability)),
                 Feature::PatchThickening => {
                     Some(patch.map_or(1.0, |patch| patch.thickening / remote.max(akinetic)))
                 }

@@ -18,6 +18,7 @@ mod result;
 mod score;
 mod shipped;
 mod similarity;
+mod subject_thickening;
 #[cfg(test)]
 mod tests;
 #[expect(
@@ -43,5 +44,6 @@ pub use result::{
     LabelQuality, NotAssessed, Reason, TrainingSetDistance, Verdict, Verdicts,
 };
 pub use shipped::built_in_classifier;
+pub use subject_thickening::SubjectThickening;
 pub use verdicts::{examine, verdicts};
 pub use whole_heart::wall_in_doubt;

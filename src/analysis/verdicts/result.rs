@@ -49,7 +49,7 @@ pub enum NotAssessed {
         /// Thickening of remote myocardium, in ln PT.
         remote: f64,
     },
-    /// It is not like those that a rule was learnt on.
+    /// It is not like those that a classifier was trained on.
     #[error("not comparable: {0}")]
     NotComparable(String),
     /// A feature is not a finite number.
@@ -171,7 +171,7 @@ pub enum ClassifierSource {
         /// And with an abnormal one.
         abnormal: usize,
     },
-    /// A rule that was learnt on another study.
+    /// A classifier that was trained on another study.
     OtherStudy(AppliedClassifier),
 }
 
@@ -180,7 +180,7 @@ pub enum ClassifierSource {
 pub struct AppliedClassifier {
     /// What it is called.
     pub name: String,
-    /// Name of the study that it was learnt on; empty where its file does not say.
+    /// Name of the study that it was trained on; empty where its file does not say.
     pub study: String,
     /// Normal subjects of that study.
     pub normal: usize,
@@ -188,7 +188,7 @@ pub struct AppliedClassifier {
     pub abnormal: usize,
     /// Area under the ROC curve there, leave-one-out.
     pub auc: Option<f64>,
-    /// Of the rule that ships with the program, which nobody asked for: normal and abnormal subjects with a label that can be
+    /// Of the classifier that ships with the program, which nobody asked for: normal and abnormal subjects with a label that can be
     /// assessed, too few to train a classifier on.
     pub labelled: Option<[usize; 2]>,
 }

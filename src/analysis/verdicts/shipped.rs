@@ -1,4 +1,4 @@
-//! The rule that ships with the program, for studies with too few labels to train a classifier on.
+//! The classifier that ships with the program, for studies with too few labels to train one on.
 
 use std::sync::LazyLock;
 
@@ -9,7 +9,7 @@ use super::error::ClassifierError;
 /// The text of its file; `assets/classifiers/SOURCE.md` tells how it was made, and why it reads what it reads.
 const TEXT: &str = include_str!("../../../assets/classifiers/built-in.json");
 
-/// The rule that ships with the program, read as any other.
+/// The classifier that ships with the program, read as any other.
 ///
 /// # Errors
 /// If its file is not one of this version: a test excludes that.

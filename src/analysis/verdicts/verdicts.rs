@@ -27,7 +27,7 @@ const SURE: f64 = 3.0;
 ///    noise of thickening is a third of what remote myocardium does or more.
 /// 2. The rest is classified by a logistic classifier on [`super::Feature::MODEL_FEATURES`], standardised, both classes
 ///    weighing alike, trained on the subjects whose label is of class normal or abnormal. The verdict on a labelled
-///    subject comes from a classifier trained without it, calibrated by the scores of the others. A rule, where one is given,
+///    subject comes from a classifier trained without it, calibrated by the scores of the others. A classifier, where one is given,
 ///    classifies all subjects in its place, whatever their labels; with too few labels it is [`built_in_classifier`].
 /// 3. An abnormal subject has a patch where thickening found one, unless its [`super::Feature::UpperRange`] is small: then
 ///    hypokinesia is global.
@@ -35,7 +35,7 @@ const SURE: f64 = 3.0;
 /// # Measured
 /// Accuracy, AUC, kinds and the finding of each label on `acdc_walls` (100 subjects at end-diastole and end-systole; normal:
 /// NOR; abnormal: MINF, DCM and HCM; RV takes no part), each labelled subject left out in turn, are printed by
-/// `cargo test --release --test it infarctions_are_told -- --nocapture`; those of rules that are learnt on one half and applied to the other by
+/// `cargo test --release --test it infarctions_are_told -- --nocapture`; those of classifiers that are trained on one half and applied to the other by
 /// `tests/bench/rule_halves.py`.
 ///
 /// For regional against global hypokinesia (MINF against DCM) 49 single numbers were tried: spread of thickening has AUC
@@ -90,7 +90,7 @@ fn by_rule(
             let examined = known.clone()?;
             let row = examined.features.model_features();
             match (rule.not_comparable(subject, &row), wall) {
-                // Nobody asked for the rule: that there is no wall says more than what the rule was learnt on.
+                // Nobody asked for the classifier: that there is no wall says more than what it was trained on.
                 (Some(_), Err(reason)) if labelled.is_some() => Err(reason.clone()),
                 (Some(reason), _) => Err(reason),
                 (None, _) => Ok(examined),

@@ -8,7 +8,7 @@ use crate::picture::Quantity;
 use super::change::{Moment, change};
 use super::effect::Effect;
 use crate::app::errors::push_card;
-use crate::document::document::TransportedMotion;
+use crate::document::document::TransportChoice;
 use crate::document::state::State;
 use crate::document::undo::Gesture;
 
@@ -62,7 +62,7 @@ fn start_transport(state: &mut State, moment: &Moment, from: usize, onto: usize)
         return Vec::new();
     }
     let plays = ours.frame_count() > 1;
-    let motion = TransportedMotion { from, onto };
+    let motion = TransportChoice { from, onto };
     let again = state.document.visible_transport() == Some(motion);
     change(state, moment, None, |document| {
         if document.subject != from {
@@ -152,7 +152,7 @@ mod tests {
     fn a_dropped_motion_plays_beside_its_target_and_undo_takes_it_back() {
         let mut state = three_subjects();
         let before = state.document.clone();
-        let motion = TransportedMotion { from: 1, onto: 0 };
+        let motion = TransportChoice { from: 1, onto: 0 };
         let effects = give(
             &mut state,
             Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
@@ -237,7 +237,7 @@ mod tests {
             &mut state,
             Command::Transport(TransportCommand::TransportToOther),
         );
-        let motion = TransportedMotion { from: 0, onto: 1 };
+        let motion = TransportChoice { from: 0, onto: 1 };
         assert_eq!(state.document.visible_transport(), Some(motion));
     }
 

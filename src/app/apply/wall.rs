@@ -1,6 +1,6 @@
 //! Commands about the middle of the wall, its patches and the bull's-eye.
 
-use crate::engine::ThickeningSettings;
+use crate::analysis::thickening::ThickeningSettings;
 use crate::panes::WallCommand;
 
 use super::change::{Moment, change};

@@ -1,5 +1,7 @@
 //! The texture that keeps the picture, and how it gets into the window.
 
+use crate::render::whole_picture_pipeline;
+
 /// Copies a texture into a pass of the same size and format.
 pub(super) struct Copier {
     layout: wgpu::BindGroupLayout,
@@ -33,32 +35,14 @@ impl Copier {
             label: Some("kept picture"),
             source: wgpu::ShaderSource::Wgsl(include_str!("copy.wgsl").into()),
         });
-        let bound = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("kept picture"),
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
-        });
-        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("kept picture"),
-            layout: Some(&bound),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vs_whole"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fs_copy"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(format.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
+        let pipeline = whole_picture_pipeline(
+            device,
+            "kept picture",
+            &module,
+            "fs_copy",
+            &[&layout],
+            format.into(),
+        );
         Self {
             layout,
             pipeline,

@@ -2,12 +2,12 @@
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::medial_map::{MedialMap, SubjectPaths, medial_map, subject_paths};
+use crate::analysis::thickening::ThickeningSettings;
 use crate::engine::queries::pose_map::method_words;
-use crate::engine::queries::thickening::{
-    ThickeningSettings, WallThickeningQuery, thickening_words,
-};
+use crate::engine::queries::thickening::WallThickeningQuery;
 use crate::engine::store::{Answered, Context, Interrupted, Memory, Query};
 use crate::progress::Stopped;
+use crate::report::thickening_words;
 
 /// Share of the map's time that the walls take; the rest is scaling.
 const WALLS_SHARE: f32 = 0.97;

@@ -3,6 +3,7 @@
 use crate::analysis::medial::{MedialBeat, MedialParams, medial_beat};
 use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
+use crate::report::medial_words;
 use crate::study::Study;
 
 /// The medial surface of one subject's wall at every frame.
@@ -55,22 +56,4 @@ pub(super) fn beat_bytes(beat: &MedialBeat) -> usize {
         })
         .sum();
     frames + size_of_val(&*beat.vertices) + size_of_val(&*beat.regular)
-}
-
-/// How medial spheres are fitted, as summaries and the activity list say it.
-pub fn medial_words(params: &MedialParams) -> String {
-    let smoothing = match params.smoothing {
-        0.0 => "no smoothing".to_owned(),
-        share => format!("smoothed over {share} thicknesses"),
-    };
-    format!(
-        "{smoothing}, separation {}, end {}",
-        degrees(params.separation_rad),
-        degrees(params.end_rad)
-    )
-}
-
-/// An angle as a person would say it; rounding of radians leaves no trace.
-fn degrees(angle_rad: f64) -> String {
-    format!("{}°", (angle_rad.to_degrees() * 1e6).round() / 1e6)
 }

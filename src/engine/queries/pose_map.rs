@@ -1,9 +1,7 @@
 //! The map of all poses.
 
-use std::sync::Arc;
-
-use crate::analysis::embedding::{Embedding, MapMethod, embed};
-use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
+use crate::analysis::embedding::{MapMethod, PoseMap, embed};
+use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::engine::queries::pose_distances::{PoseDistancesQuery, distance_words, distances_bytes};
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::Study;
@@ -21,15 +19,6 @@ pub struct PoseMapQuery {
     pub distances: PoseDistanceParams,
     /// How distances become a map.
     pub method: MapMethod,
-}
-
-/// The map of all poses.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PoseMap {
-    /// What the map shows; rows correspond.
-    pub distances: Arc<PoseDistances>,
-    /// Two coordinates per pose.
-    pub embedding: Embedding,
 }
 
 impl Query for PoseMapQuery {

@@ -11,6 +11,7 @@ use crate::analysis::embedding::MapMethod;
 use crate::analysis::geodesics::GeodesicParams;
 use crate::analysis::metrics::{MetricKind, MetricParams};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
+use crate::analysis::thickening::ThickeningSettings;
 use crate::analysis::transport::{CohortTransportParams, TransportParams};
 use crate::engine::store::{Interrupted, Query, Store, StoreOptions};
 use crate::progress::Progress;

@@ -8,10 +8,11 @@ use crate::analysis::thickness_methods::{
     Agreement, CheckedThicknessParams, ThicknessError, ThicknessMethod, ThicknessParams,
     ThicknessSpread, thickness,
 };
-use crate::engine::queries::medial_surfaces::{MedialSurfacesQuery, medial_words};
+use crate::engine::queries::medial_surfaces::MedialSurfacesQuery;
 use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::progress::{Progress, Stopped};
+use crate::report::medial_words;
 use crate::study::{MeshSequence, Study, Subject, SurfaceSequence};
 
 /// Share of the work that medial spheres take; field lines take most of the rest.

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
+use crate::analysis::thickening::ThickeningSettings;
 use crate::analysis::verdicts::{
     CheckedClassifier, CheckedVerdictParams, ClassifierFile, Examined, Feature, NotAssessed,
     VerdictInput, VerdictParams, Verdicts, examine, learn, verdicts,
 };
-use crate::engine::queries::thickening::{
-    ThickeningSettings, WallThickeningQuery, thickening_words,
-};
+use crate::engine::queries::thickening::WallThickeningQuery;
 use crate::engine::store::{Answered, Context, Interrupted, Memory, Query, Urgency};
 use crate::progress::Stopped;
+use crate::report::thickening_words;
 
 /// Share of the time of verdicts that the walls take.
 const WALLS_SHARE: f32 = 0.95;
@@ -89,7 +89,7 @@ impl VerdictQuery {
     }
 }
 
-/// The rule that is learnt from a study with these settings.
+/// The classifier that is trained on a study with these settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrainedClassifierQuery {
     /// How walls are assessed, and verdicts made.

@@ -7,10 +7,7 @@ use super::jpeg_ls::samples;
 use super::jpeg_ls_head::JpegLsHead;
 use super::layout::unsupported;
 use crate::io::image_file::ReadImageError;
-
-/// Pixels that one byte of packed ones may hold; so many more are granted to any file, for frames that are all black.
-const PIXELS_OF_A_BYTE: u64 = 512;
-const PIXELS_OF_ANY: u64 = 1 << 22;
+use crate::io::limits::{MAX_PIXELS_OF_A_BYTE, PIXELS_OF_ANY_FRAME};
 
 /// The words of a frame of `size` (columns, rows) that is packed as JPEG with one component.
 ///
@@ -199,7 +196,8 @@ fn check_size(
 
 /// Refuses packed bytes that would make far more pixels than any real ones do.
 pub(super) fn check_share(pixels: u64, bytes: usize) -> Result<(), ReadImageError> {
-    let most = PIXELS_OF_ANY.saturating_add(PIXELS_OF_A_BYTE.saturating_mul(bytes as u64));
+    let most =
+        PIXELS_OF_ANY_FRAME.saturating_add(MAX_PIXELS_OF_A_BYTE.saturating_mul(bytes as u64));
     if pixels > most {
         return Err(ReadImageError::TooMany {
             what: "pixels from so few bytes",

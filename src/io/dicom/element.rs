@@ -5,6 +5,7 @@
 use std::ops::Range;
 
 use super::tag::{Kind, PIXEL_DATA, Tag};
+use crate::io::limits::{MAX_DICOM_DEPTH, MAX_DICOM_ITEMS};
 
 /// How elements are written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -34,10 +35,6 @@ pub(super) struct DataSet<'a> {
     encoding: Encoding,
 }
 
-/// How deep sequences may stand in each other: real files have six levels.
-const DEEPEST: usize = 24;
-/// Elements of one level, and items of one sequence: the frames of the longest multi-frame files are 20,000.
-const MAX_ITEMS: usize = 100_000;
 /// The length that says "up to the delimiter".
 const UNDEFINED: u32 = u32::MAX;
 /// Group of the tags that begin and end items.
@@ -106,7 +103,7 @@ impl Encoding {
 
     /// Where the delimiter of a value without stated length begins; `None` if there is none.
     fn delimiter_of_items(self, bytes: &[u8], mut at: usize, depth: usize) -> Option<usize> {
-        if depth > DEEPEST {
+        if depth > MAX_DICOM_DEPTH {
             return None;
         }
         loop {
@@ -124,7 +121,7 @@ impl Encoding {
 
     /// Where the delimiter of an item without stated length begins.
     fn delimiter_of_elements(self, bytes: &[u8], mut at: usize, depth: usize) -> Option<usize> {
-        if depth > DEEPEST {
+        if depth > MAX_DICOM_DEPTH {
             return None;
         }
         loop {
@@ -146,7 +143,7 @@ impl<'a> DataSet<'a> {
     pub(super) fn new(bytes: &'a [u8], encoding: Encoding) -> Self {
         let mut elements: Vec<Element> = Vec::new();
         let mut at = 0;
-        while elements.len() < MAX_ITEMS {
+        while elements.len() < MAX_DICOM_ITEMS {
             let Some((tag, letters, value, length)) = encoding.head(bytes, at) else {
                 break;
             };
@@ -319,7 +316,7 @@ impl<'a> Items<'a> {
             bytes,
             encoding,
             at: 0,
-            left: MAX_ITEMS,
+            left: MAX_DICOM_ITEMS,
         }
     }
 }

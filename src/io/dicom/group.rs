@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::plane::{Place, Plane};
+use super::plane::{Plane, SlicePlace};
 use crate::study::Notice;
 
 /// Planes of one grid, in the order of the files.
@@ -135,6 +135,6 @@ pub(super) fn same_grid(a: &Plane, b: &Plane) -> bool {
         }
 }
 
-fn same_directions(a: &Place, b: &Place) -> bool {
+fn same_directions(a: &SlicePlace, b: &SlicePlace) -> bool {
     (a.row - b.row).norm() < DIRECTION && (a.column - b.column).norm() < DIRECTION
 }

@@ -43,7 +43,7 @@ pub(super) struct Plane {
     pub(super) pixels: Arc<Pixels>,
     pub(super) frame: usize,
     pub(super) rescale: Rescale,
-    pub(super) place: Option<Place>,
+    pub(super) place: Option<SlicePlace>,
     /// Distance of rows, then of columns, in millimetres.
     pub(super) spacing: Option<[f64; 2]>,
     pub(super) thickness_mm: Option<f64>,
@@ -54,7 +54,7 @@ pub(super) struct Plane {
 
 /// Where the first pixel of a slice stands, and the directions along a row and down a column (PS3.3, C.7.6.2.1.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct SlicePlace {
     pub(super) origin: Point3,
     pub(super) row: Vector3,
     pub(super) column: Vector3,
@@ -137,7 +137,7 @@ fn modality(letters: &str) -> Modality {
     }
 }
 
-impl Place {
+impl SlicePlace {
     /// From a position and an orientation of a file; `None` if they are missing or no directions.
     pub(super) fn new(position: Option<Vec<f64>>, orientation: Option<Vec<f64>>) -> Option<Self> {
         let origin = position?;
@@ -246,7 +246,7 @@ impl Plane {
             pixels: Arc::clone(pixels),
             frame,
             rescale: rescale(sets),
-            place: Place::new(numbers(POSITION), numbers(ORIENTATION)),
+            place: SlicePlace::new(numbers(POSITION), numbers(ORIENTATION)),
             spacing: spacing(numbers(PIXEL_SPACING)),
             thickness_mm: positive(SLICE_THICKNESS),
             echo_ms: positive(ECHO_TIME),

@@ -8,7 +8,7 @@ use super::functional_groups::FunctionalGroups;
 use super::group::SAME_PLACE_MM;
 use super::layout::unsupported;
 use super::pixels::{Pixels, Rescale};
-use super::plane::{FileFacts, Place, Plane};
+use super::plane::{FileFacts, Plane, SlicePlace};
 use super::series::told;
 use super::tag::{
     MAXIMUM_FRACTION, PIXEL_MEASURES, REFERENCED_SEGMENT, SEGMENT_IDENTIFICATION,
@@ -157,7 +157,7 @@ enum Mark {
 /// distance is the stated one where positions are whole multiples of it, else the smallest between positions.
 fn slices_of(
     planes: &[Plane],
-    place: &Place,
+    place: &SlicePlace,
     stated: Option<f64>,
 ) -> Result<(Slices, Vec<usize>), ReadImageError> {
     let normal = place.normal();

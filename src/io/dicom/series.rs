@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::layout::Layout;
-use super::plane::{InstantKey, Place, Plane};
+use super::plane::{InstantKey, Plane, SlicePlace};
 use super::stack::Stack;
 use crate::image::{Image, VolumeFrame};
 use crate::io::image_file::{
@@ -125,7 +125,7 @@ fn thickness_note(thickness_mm: Option<f64>) -> Notice {
 /// The grid of planes whose next one stands at `third`.
 fn grid(
     plane: &Plane,
-    place: &Place,
+    place: &SlicePlace,
     origin: Point3,
     third: Vector3,
     slices: usize,
@@ -171,7 +171,7 @@ fn volume(
 }
 
 /// Says that slices are shifted sideways. The grid keeps it: its axes need not be normal to each other.
-fn tell_tilt(stack: &Stack, place: &Place, notices: &mut Vec<Notice>) {
+fn tell_tilt(stack: &Stack, place: &SlicePlace, notices: &mut Vec<Notice>) {
     let Some(step) = stack.step else {
         return;
     };
@@ -248,7 +248,7 @@ pub(super) fn series_of_film(
     let slices = if over_time { 1 } else { planes.len() };
     // The position of a file is that of all frames of a film, and of none but the first of slices.
     let known = first.place.filter(|_| slices == 1);
-    let place = known.unwrap_or(Place {
+    let place = known.unwrap_or(SlicePlace {
         origin: Point3::origin(),
         row: Vector3::x(),
         column: Vector3::y(),

@@ -9,7 +9,7 @@ use zip::ZipArchive;
 
 use super::file::looks_like_dicom;
 use crate::io::image_file::ReadImageError;
-use crate::io::limits::Limits;
+use crate::io::limits::{DICOM_BYTES_OF_A_VOXEL, Limits, MAX_IMAGE_FOLDER_DEPTH};
 
 /// One file that may be DICOM.
 #[derive(Clone, Debug)]
@@ -36,10 +36,6 @@ pub(super) struct Sources {
     bytes: u64,
 }
 
-/// Folders within folders that are looked into.
-const DEEPEST_FOLDER: usize = 16;
-/// Bytes that all files of one opening may take together, for each voxel that all images may have.
-const BYTES_OF_A_VOXEL: u64 = 2;
 /// As much of a file as tells what it is.
 const HEAD: u64 = 256;
 
@@ -92,7 +88,7 @@ impl Sources {
     }
 
     fn add(&mut self, source: Source, limits: &Limits) {
-        let most = limits.voxels_in_all.saturating_mul(BYTES_OF_A_VOXEL);
+        let most = limits.voxels_in_all.saturating_mul(DICOM_BYTES_OF_A_VOXEL);
         let size = source.size;
         let all = self.bytes.saturating_add(size);
         if size > limits.file_bytes || all > most {
@@ -155,10 +151,10 @@ impl Sources {
     }
 
     fn add_folder(&mut self, folder: &Path, depth: usize, limits: &Limits) {
-        if depth >= DEEPEST_FOLDER {
+        if depth >= MAX_IMAGE_FOLDER_DEPTH {
             return self.refuse(
                 folder,
-                too_many("folders within folders", depth + 1, DEEPEST_FOLDER),
+                too_many("folders within folders", depth + 1, MAX_IMAGE_FOLDER_DEPTH),
             );
         }
         let entries = match std::fs::read_dir(folder) {

@@ -8,7 +8,7 @@ use gltf::buffer::View;
 use super::buffers::{Buffer, in_item};
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{ByteOrder, Scalar};
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 
 /// Reads accessors out of loaded buffers.
 pub(super) struct Accessors<'a> {
@@ -57,7 +57,7 @@ impl Accessors<'_> {
             Some(buffer.start? + offset.min(buffer.bytes.len()))
         });
         match start {
-            Some(byte) => Place::Byte(byte).error(format!("{item}: {reason}")),
+            Some(byte) => FilePosition::Byte(byte).error(format!("{item}: {reason}")),
             None => in_item(item, reason),
         }
     }

@@ -4,7 +4,7 @@ use gltf::{Document, json};
 
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 
 /// The parsed JSON and the binary chunk, if the file has one.
 pub(super) struct Container<'a> {
@@ -37,12 +37,12 @@ pub(super) fn open(bytes: &[u8]) -> Result<Container<'_>, ReadMeshError> {
     let mut cursor = BinaryCursor::new(bytes, 4);
     let version = word(&mut cursor, "the version")?;
     if version != 2 {
-        return Err(Place::Byte(4).error(format!("glTF version {version}; only 2 is read")));
+        return Err(FilePosition::Byte(4).error(format!("glTF version {version}; only 2 is read")));
     }
     let length = word(&mut cursor, "the length")?;
     const HEADER_BYTES: u64 = 12;
     if length > bytes.len() as u64 || length < HEADER_BYTES {
-        return Err(Place::Byte(8).error(format!(
+        return Err(FilePosition::Byte(8).error(format!(
             "the header says {length} bytes, but the file has {}",
             bytes.len()
         )));
@@ -50,7 +50,7 @@ pub(super) fn open(bytes: &[u8]) -> Result<Container<'_>, ReadMeshError> {
     let whole = &bytes[..length as usize];
     let mut cursor = BinaryCursor::new(whole, HEADER_BYTES as usize);
     let (json, start) = chunk(&mut cursor, b"JSON")?
-        .ok_or_else(|| Place::Byte(12).error("the first chunk is not JSON"))?;
+        .ok_or_else(|| FilePosition::Byte(12).error("the first chunk is not JSON"))?;
     // filled up with spaces, or by some programs with zeros
     let padding = json.iter().rev().take_while(|&&b| b == 0).count();
     let document = parse(&json[..json.len() - padding], Some(start))?;
@@ -79,7 +79,7 @@ fn chunk<'a>(
 ) -> Result<Option<(&'a [u8], usize)>, ReadMeshError> {
     let length = word(cursor, "the length of a chunk")?;
     let found = cursor.take(4, "the kind of a chunk")?;
-    let Place::Byte(start) = cursor.place() else {
+    let FilePosition::Byte(start) = cursor.place() else {
         return Ok(None);
     };
     let content = cursor.take(length, "a chunk")?;
@@ -90,8 +90,8 @@ fn chunk<'a>(
 fn parse(text: &[u8], start: Option<usize>) -> Result<Document, ReadMeshError> {
     let root: json::Root = json::deserialize::from_slice(text).map_err(|error| {
         let place = match start {
-            None => Place::Line(error.line().max(1)),
-            Some(start) => Place::Byte(start + byte_of(text, error.line(), error.column())),
+            None => FilePosition::Line(error.line().max(1)),
+            Some(start) => FilePosition::Byte(start + byte_of(text, error.line(), error.column())),
         };
         place.error(format!("not valid glTF: {error}"))
     })?;

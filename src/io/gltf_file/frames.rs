@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use super::animation::{WeightTrack, key_times_s};
 use super::buffers::in_item;
 use super::scene::{Corners, PlacedMesh, PlacedPart};
-use crate::io::mesh_draft::{MeshDraft, Place, check_count};
+use crate::io::limits::MAX_DISPLACEMENTS;
+use crate::io::mesh_draft::{FilePosition, MeshDraft, check_count};
 use crate::io::{Limits, MeshFile, ReadMeshError};
 use crate::mesh::{Point3, TriMesh};
 use crate::study::Notice;
@@ -73,7 +74,7 @@ pub(super) fn make_frames(
         for (at, point) in points.by_ref().take(part.points.len()).enumerate() {
             let xyz = [point.x, point.y, point.z];
             draft
-                .point(xyz, Place::Byte(0))
+                .point(xyz, FilePosition::Byte(0))
                 .map_err(|error| in_part(error, part, at))?;
         }
         add_faces(&mut draft, part, first_point)?;
@@ -127,9 +128,6 @@ fn beat<'a>(meshes: &[PlacedMesh], tracks: &'a [WeightTrack]) -> Result<Beat<'a>
     Ok(Beat::Targets(first.targets))
 }
 
-/// Displacements that are added to make all frames of a file: a fraction of a second of work.
-const MAX_DISPLACEMENTS: usize = 100_000_000;
-
 /// The points of a frame; `added` counts the displacements of all frames so far.
 fn frame_points(
     meshes: &[PlacedMesh],
@@ -167,7 +165,7 @@ fn add_faces(
     let mut add = |a: u32, b: u32, c: u32| {
         let [a, b, c] = [a, b, c].map(|corner| corner + first_point);
         let corners = if part.mirrored { [a, c, b] } else { [a, b, c] };
-        draft.polygon(&corners, Place::Byte(0))
+        draft.polygon(&corners, FilePosition::Byte(0))
     };
     for corners in &part.corners {
         match corners {

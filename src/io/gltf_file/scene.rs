@@ -166,10 +166,9 @@ impl SceneMeshes {
             placed.parts.push(part);
         }
         if again {
-            // A heart stands in a scene once, its parts perhaps twice: a small file could fill a large memory so.
             self.repeated_faces += self.faces - faces_before;
             let what = "faces of meshes that are placed again";
-            check_count(what, self.repeated_faces, limits.faces / 10)?;
+            check_count(what, self.repeated_faces, limits.repeated_faces())?;
         }
         if !placed.parts.is_empty() {
             self.meshes.push(placed);

@@ -217,7 +217,7 @@ fn refuse_components(
 }
 
 /// Where voxels stand.
-struct Place {
+struct GridPlace {
     origin: Point3,
     steps: [Vector3; 3],
     spacing: Provenance,
@@ -231,7 +231,7 @@ fn placed(
     space: &Space,
     directions: &[Option<Vec<f64>>],
     spatial: [usize; 3],
-) -> Result<Place, ReadImageError> {
+) -> Result<GridPlace, ReadImageError> {
     let mut notices = Vec::new();
     let words = header
         .field("spaceunits")
@@ -255,7 +255,7 @@ fn placed(
         .transpose()?;
     let position_known = space.to_lps.is_some() && origin.is_some();
     let origin = space.to_lps(&origin.unwrap_or_default(), unit_mm);
-    Ok(Place {
+    Ok(GridPlace {
         origin: Point3::from(origin),
         steps,
         spacing: if unit_known {
@@ -282,7 +282,7 @@ fn origin(field: &Field, space: &Space) -> Result<Vec<f64>, ReadImageError> {
 }
 
 /// By `spacings` alone, along the axes of the world.
-fn unplaced(header: &NrrdHeader<'_>, spatial: [usize; 3]) -> Result<Place, ReadImageError> {
+fn unplaced(header: &NrrdHeader<'_>, spatial: [usize; 3]) -> Result<GridPlace, ReadImageError> {
     let mut notices = Vec::new();
     let spacings = super::values::numbers(header, "spacings")?.unwrap_or_default();
     let words = header
@@ -306,7 +306,7 @@ fn unplaced(header: &NrrdHeader<'_>, spatial: [usize; 3]) -> Result<Place, ReadI
     } else if !all_units {
         notices.push(Notice::info("no unit of length: millimetres assumed"));
     }
-    Ok(Place {
+    Ok(GridPlace {
         origin: Point3::origin(),
         steps,
         spacing: match (all_said, all_units) {

@@ -8,11 +8,9 @@ use super::folders::{Folders, What};
 use super::read_file::{name_of, read_head};
 use crate::io::dicom::looks_like_dicom;
 use crate::io::image_formats::{PACKED_HEAD, image_format_names, is_image_head};
+use crate::io::limits::MAX_IMAGE_FOLDER_DEPTH;
 use crate::io::{Limits, OpenError};
 use crate::progress::{Progress, Stopped};
-
-/// Folders within folders that are looked into.
-const DEEPEST: usize = 16;
 
 /// Files of images, each once, in the order of the paths and then of the names.
 #[derive(Debug, Default)]
@@ -174,10 +172,10 @@ impl Walk<'_> {
         if !self.is_new(folder) {
             return Ok(());
         }
-        if depth > DEEPEST {
+        if depth > MAX_IMAGE_FOLDER_DEPTH {
             self.fail(
                 folder,
-                format!("more than {DEEPEST} folders within folders"),
+                format!("more than {MAX_IMAGE_FOLDER_DEPTH} folders within folders"),
             );
             return Ok(());
         }

@@ -4,19 +4,17 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use super::folder_contents::{Entries, FileRole, Loose, Sheets, folder_name, role};
-use super::folders::{Folders, MAX_ENTRIES, What};
+use super::folders::{Folders, What};
 use super::group_files::stem;
 use super::plan::StudyPlan;
 use super::read_file::{name_of, read_text};
 use super::series_files::{Series, SeriesFault, is_series, read_series};
 use crate::io::formats::MANIFEST_EXTENSION;
+use crate::io::limits::{MAX_ENTRIES, MAX_MESH_FOLDER_DEPTH};
 use crate::io::{Limits, OpenError, openable_extensions};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::counted;
 use crate::study::{Notice, natural_order};
-
-/// Folders within folders that are followed.
-const DEEPEST: usize = 8;
 
 /// The walk over all paths, with what it has found so far.
 pub(super) struct Search<'a> {
@@ -120,14 +118,14 @@ impl<'a> Search<'a> {
         });
     }
 
-    /// Reads the lists in a folder and the folders in it, except where a manifest rules.
+    /// Reads the lists in a folder and the folders in it, except where a manifest says what they hold.
     fn note_lists(
         &mut self,
         folder: &Path,
         depth: usize,
         visited: &mut HashSet<PathBuf>,
     ) -> Result<(), Stopped> {
-        if depth > DEEPEST || !visited.insert(identity(folder)) {
+        if depth > MAX_MESH_FOLDER_DEPTH || !visited.insert(identity(folder)) {
             return Ok(());
         }
         let Ok(Entries { files, folders }) = self.entries(folder)? else {
@@ -201,9 +199,9 @@ impl<'a> Search<'a> {
         if self.was_seen(folder) {
             return Ok(());
         }
-        if depth > DEEPEST {
+        if depth > MAX_MESH_FOLDER_DEPTH {
             let text = format!(
-                "folders more than {DEEPEST} deep are not read: {}",
+                "folders more than {MAX_MESH_FOLDER_DEPTH} deep are not read: {}",
                 folder.display()
             );
             self.plan.notices.push(Notice::warning(text));

@@ -9,13 +9,8 @@ use std::sync::Arc;
 use unicode_normalization::UnicodeNormalization;
 
 use super::read_file::reason;
+use crate::io::limits::{MAX_COMPARED_NAMES, MAX_ENTRIES};
 use crate::progress::{Progress, Stopped};
-
-/// Files and folders that opening a study may look at, for all its folders and patterns together: a hundred times the
-/// largest published cohort, and about a second's work.
-pub(super) const MAX_ENTRIES: usize = 250_000;
-/// Names that the patterns of a study may be compared with, all together: about a second's work.
-const MAX_COMPARED: usize = 5_000_000;
 
 /// One name in a folder.
 #[derive(Clone, Debug)]
@@ -96,7 +91,7 @@ impl Folders {
             follow_links,
             known: HashMap::new(),
             left: MAX_ENTRIES,
-            left_to_compare: MAX_COMPARED,
+            left_to_compare: MAX_COMPARED_NAMES,
         }
     }
 

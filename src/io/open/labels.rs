@@ -15,18 +15,44 @@ pub(super) fn unite_labels(
     plans: &mut [SubjectPlan],
     classes: Option<&LabelClasses>,
 ) -> Vec<Notice> {
-    let mut notices = Vec::new();
-    let mut spelling: BTreeMap<String, String> = BTreeMap::new();
-    let lists =
-        classes.map(|classes| [("normal", &classes.normal), ("abnormal", &classes.abnormal)]);
-    for (_, labels) in lists.iter().flatten() {
-        for label in *labels {
-            spelling
-                .entry(plain_label(label))
-                .or_insert_with(|| label.clone());
-        }
+    let united = united(plans, classes);
+    let mut notices: Vec<Notice> = (united.changed.iter())
+        .map(|((label, meant), ids)| {
+            Notice::warning(format!(
+                "label {label:?} of {} is read as {meant:?}, from which it differs only in letter case or blanks",
+                few(ids)
+            ))
+        })
+        .collect();
+    if let Some(classes) = classes {
+        notices.extend(unborne(&united, classes));
+        notices.extend(in_both_lists(classes));
+        notices.extend(in_no_list(&united, classes));
     }
-    let listed: BTreeSet<String> = spelling.keys().cloned().collect();
+    notices
+}
+
+/// Labels of one spelling each. A label is known by its plain form, without letter case and blanks.
+struct United {
+    /// How each is spelt.
+    spelling: BTreeMap<String, String>,
+    /// Those that subjects have.
+    borne: BTreeSet<String>,
+    /// Subjects whose label was spelt anew, by what it was and what it is.
+    changed: BTreeMap<(String, String), Vec<String>>,
+}
+
+fn lists(classes: &LabelClasses) -> [(&'static str, &[String]); 2] {
+    [("normal", &classes.normal), ("abnormal", &classes.abnormal)]
+}
+
+fn united(plans: &mut [SubjectPlan], classes: Option<&LabelClasses>) -> United {
+    let mut spelling: BTreeMap<String, String> = BTreeMap::new();
+    for label in (classes.into_iter().flat_map(lists)).flat_map(|(_, labels)| labels) {
+        spelling
+            .entry(plain_label(label))
+            .or_insert_with(|| label.clone());
+    }
     let mut changed: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
     let mut borne: BTreeSet<String> = BTreeSet::new();
     for plan in plans.iter_mut() {
@@ -48,27 +74,30 @@ pub(super) fn unite_labels(
             label.clone_from(meant);
         }
     }
-    for ((label, meant), ids) in changed {
-        notices.push(Notice::warning(format!(
-            "label {label:?} of {} is read as {meant:?}, from which it differs only in letter case or blanks",
-            few(&ids)
-        )));
+    United {
+        spelling,
+        borne,
+        changed,
     }
-    let Some(classes) = classes else {
-        return notices;
-    };
-    for (name, labels) in lists.iter().flatten() {
-        for label in labels
-            .iter()
-            .filter(|label| !borne.contains(&plain_label(label)))
-        {
-            if !borne.is_empty() {
-                notices.push(Notice::warning(format!(
-                    "no subject has the label {label:?}, which study.toml lists as {name}"
-                )));
-            }
-        }
+}
+
+/// Labels of the lists that no subject has, where subjects have any.
+fn unborne(united: &United, classes: &LabelClasses) -> Vec<Notice> {
+    if united.borne.is_empty() {
+        return Vec::new();
     }
+    let all = (lists(classes).into_iter())
+        .flat_map(|(name, labels)| labels.iter().map(move |label| (name, label)));
+    all.filter(|(_, label)| !united.borne.contains(&plain_label(label)))
+        .map(|(name, label)| {
+            Notice::warning(format!(
+                "no subject has the label {label:?}, which study.toml lists as {name}"
+            ))
+        })
+        .collect()
+}
+
+fn in_both_lists(classes: &LabelClasses) -> Vec<Notice> {
     let both = classes.normal.iter().filter(|label| {
         let plain = plain_label(label);
         classes
@@ -76,28 +105,29 @@ pub(super) fn unite_labels(
             .iter()
             .any(|other| plain_label(other) == plain)
     });
-    notices.extend(both.map(|label| {
+    both.map(|label| {
         Notice::warning(format!(
             "study.toml lists the label {label:?} as normal and as abnormal: it counts as normal"
         ))
-    }));
-    let without: Vec<&str> = borne
-        .iter()
-        .filter(|label| !listed.contains(*label))
-        .map(String::as_str)
+    })
+    .collect()
+}
+
+fn in_no_list(united: &United, classes: &LabelClasses) -> Option<Notice> {
+    let listed: BTreeSet<String> = (lists(classes).iter())
+        .flat_map(|(_, labels)| labels.iter().map(|label| plain_label(label)))
         .collect();
-    if !without.is_empty() {
-        let names: Vec<String> = without
-            .iter()
-            .filter_map(|plain| spelling.get(*plain).cloned())
-            .collect();
-        notices.push(Notice::info(format!(
+    let names: Vec<String> = (united.borne.iter())
+        .filter(|label| !listed.contains(*label))
+        .filter_map(|plain| united.spelling.get(plain).cloned())
+        .collect();
+    (!names.is_empty()).then(|| {
+        Notice::info(format!(
             "{} in no list of study.toml, of no class: {}",
             counted(names.len(), "label is", "labels are"),
             few(&names)
-        )));
-    }
-    notices
+        ))
+    })
 }
 
 /// The first of some names.

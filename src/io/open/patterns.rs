@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use super::folder_contents::{FileRole, role};
-use super::folders::{Folders, MAX_ENTRIES, What, composed, existing};
+use super::folders::{Folders, What, composed, existing};
 use super::group_files::stem;
 use super::read_file::name_of;
 use super::readings::read_names;
+use crate::io::limits::MAX_ENTRIES;
 use crate::progress::{Progress, Stopped};
 use crate::study::natural_order;
 

@@ -29,11 +29,10 @@ use super::folders::composed;
 use super::plan::{Stated, StatedUnit};
 use super::plausible::without_implausible;
 use super::toml_fields::{Fields, Lines};
+use crate::io::limits::MAX_SUBJECTS;
 use crate::mesh::Point3;
 use crate::study::{Anatomy, LabelClasses, Notice, SurfaceKind};
 
-/// Subjects of one manifest: the largest cohorts of hearts in research have about ten thousand.
-pub(super) const MAX_SUBJECTS: usize = 20_000;
 /// Unknown keys of one table that are told one by one.
 const MAX_UNKNOWN: usize = 20;
 

@@ -2,7 +2,7 @@
 
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 use crate::io::text_lines::{TextLines, TextWords, number};
 
 /// Elements one after the other, each a run of numbers.
@@ -18,7 +18,7 @@ pub(super) trait Body {
     /// Ends the body; how many bytes are left that may be passed over.
     fn finish(&self) -> Result<usize, ReadMeshError>;
     /// Where it is.
-    fn place(&self) -> Place;
+    fn place(&self) -> FilePosition;
     /// Bytes that are left.
     fn bytes_left(&self) -> usize;
 }
@@ -85,7 +85,7 @@ impl Body for TextBody<'_> {
             self.shared |= self.first;
             self.wrapped = true;
             if !self.shared {
-                let begun_on = Place::Line(self.begun_on);
+                let begun_on = FilePosition::Line(self.begun_on);
                 return Err(begun_on.error(if ends_on == self.begun_on {
                     "more numbers than the header announces".to_owned()
                 } else {
@@ -110,7 +110,7 @@ impl Body for TextBody<'_> {
         Ok(left)
     }
 
-    fn place(&self) -> Place {
+    fn place(&self) -> FilePosition {
         self.words.place()
     }
 
@@ -161,7 +161,7 @@ impl Body for BinaryBody<'_> {
         Ok(self.bytes_left())
     }
 
-    fn place(&self) -> Place {
+    fn place(&self) -> FilePosition {
         self.cursor.place()
     }
 

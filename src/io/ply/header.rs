@@ -2,7 +2,7 @@
 
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{ByteOrder, Scalar};
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 use crate::io::text_lines::{TextLines, count, shown, words};
 
 /// How the body is stored.
@@ -37,7 +37,7 @@ pub(super) struct Element {
     pub(super) count: u64,
     pub(super) properties: Vec<Property>,
     /// Where the header speaks of it.
-    pub(super) place: Place,
+    pub(super) place: FilePosition,
 }
 
 impl Element {
@@ -77,12 +77,12 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadMeshError> {
     let mut not_empty = lines.by_ref().map(|(_, text)| text.trim_ascii());
     let first = not_empty.find(|text| !text.is_empty());
     if !first.is_some_and(|text| text.eq_ignore_ascii_case(b"ply")) {
-        return Err(Place::Line(1).error("the first line is not \"ply\""));
+        return Err(FilePosition::Line(1).error("the first line is not \"ply\""));
     }
     let mut encoding = None;
     let mut elements: Vec<Element> = Vec::new();
     while let Some((line, text)) = lines.next() {
-        let place = Place::Line(line);
+        let place = FilePosition::Line(line);
         let mut words = words(text);
         match words.next() {
             None | Some(b"comment" | b"obj_info") => {}
@@ -118,10 +118,10 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadMeshError> {
             Some(word) => return Err(place.error(format!("unknown keyword {}", shown(word)))),
         }
     }
-    Err(Place::Line(lines.line()).error("the file ends within its header"))
+    Err(FilePosition::Line(lines.line()).error("the file ends within its header"))
 }
 
-fn read_encoding(word: Option<&[u8]>, place: Place) -> Result<Encoding, ReadMeshError> {
+fn read_encoding(word: Option<&[u8]>, place: FilePosition) -> Result<Encoding, ReadMeshError> {
     match word {
         Some(b"ascii") => Ok(Encoding::Text),
         Some(b"binary_little_endian") => Ok(Encoding::Binary(ByteOrder::Little)),
@@ -135,7 +135,7 @@ fn read_encoding(word: Option<&[u8]>, place: Place) -> Result<Encoding, ReadMesh
 
 fn read_property<'a>(
     words: &mut impl Iterator<Item = &'a [u8]>,
-    place: Place,
+    place: FilePosition,
 ) -> Result<Property, ReadMeshError> {
     let first = words.next().unwrap_or_default();
     let storage = if first == b"list" {
@@ -155,7 +155,7 @@ fn read_property<'a>(
     })
 }
 
-fn scalar(word: &[u8], place: Place) -> Result<Scalar, ReadMeshError> {
+fn scalar(word: &[u8], place: FilePosition) -> Result<Scalar, ReadMeshError> {
     Ok(match word {
         b"char" | b"int8" => Scalar::I8,
         b"uchar" | b"uint8" => Scalar::U8,

@@ -3,7 +3,7 @@
 use super::body::{BinaryBody, Body, TextBody};
 use super::header::{Element, Encoding, Header, Storage, read_header};
 use crate::io::binary_cursor::{Scalar, count, vertex_index};
-use crate::io::mesh_draft::{MeshDraft, Place};
+use crate::io::mesh_draft::{FilePosition, MeshDraft};
 use crate::io::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
@@ -154,7 +154,7 @@ fn read_strips(
 fn each_list<B: Body>(
     body: &mut B,
     element: &Element,
-    mut read: impl FnMut(&mut B, u64, Scalar, Place) -> Result<(), ReadMeshError>,
+    mut read: impl FnMut(&mut B, u64, Scalar, FilePosition) -> Result<(), ReadMeshError>,
 ) -> Result<(), ReadMeshError> {
     let corners_at = corners_of(element)?;
     for index in 0..element.count {

@@ -3,11 +3,11 @@
 
 use super::cursor::{LegacyCursor, scalar};
 use crate::io::binary_cursor::{Scalar, count, vertex_index};
-use crate::io::mesh_draft::{Place, check_count};
+use crate::io::mesh_draft::{FilePosition, check_count};
 use crate::io::{Limits, ReadMeshError};
 
 /// Called with the corners of each cell and where it stands.
-pub(super) type EachCell<'f> = &'f mut dyn FnMut(&[u32], Place) -> Result<(), ReadMeshError>;
+pub(super) type EachCell<'f> = &'f mut dyn FnMut(&[u32], FilePosition) -> Result<(), ReadMeshError>;
 
 /// Reads cells from behind their keyword, `what` they are, on. Files of version 5 count offsets,
 /// one more than cells.
@@ -31,7 +31,7 @@ pub(super) fn read_cells(
     }
 }
 
-fn check_corners(corners: u64, most: u64, place: Place) -> Result<(), ReadMeshError> {
+fn check_corners(corners: u64, most: u64, place: FilePosition) -> Result<(), ReadMeshError> {
     if corners > most {
         return Err(place.error(format!("a cell of {corners} corners; the limit is {most}")));
     }

@@ -2,7 +2,7 @@
 
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 use crate::io::text_lines::{count, number, shown};
 
 /// Where reading is; numbers are big-endian where they are binary.
@@ -33,11 +33,11 @@ impl<'a> LegacyCursor<'a> {
     }
 
     /// Line or byte: lines have no meaning once binary numbers came.
-    pub(super) fn place(&self) -> Place {
+    pub(super) fn place(&self) -> FilePosition {
         if self.binary {
-            Place::Byte(self.at)
+            FilePosition::Byte(self.at)
         } else {
-            Place::Line(self.line)
+            FilePosition::Line(self.line)
         }
     }
 
@@ -109,7 +109,7 @@ impl<'a> LegacyCursor<'a> {
     }
 
     /// The next word of a text file and where it stands.
-    pub(super) fn word(&mut self, what: &str) -> Result<(&'a [u8], Place), ReadMeshError> {
+    pub(super) fn word(&mut self, what: &str) -> Result<(&'a [u8], FilePosition), ReadMeshError> {
         self.skip_white();
         let rest = self.rest();
         let place = self.place();
@@ -126,7 +126,7 @@ impl<'a> LegacyCursor<'a> {
         &mut self,
         scalar: Scalar,
         what: &str,
-    ) -> Result<(f64, Place), ReadMeshError> {
+    ) -> Result<(f64, FilePosition), ReadMeshError> {
         if !self.binary {
             let (word, place) = self.word(what)?;
             return Ok((number(word, place)?, place));
@@ -145,7 +145,7 @@ impl<'a> LegacyCursor<'a> {
 }
 
 /// A type as the format names it; none for `bit` and `string`.
-pub(super) fn scalar(word: &[u8], place: Place) -> Result<Scalar, ReadMeshError> {
+pub(super) fn scalar(word: &[u8], place: FilePosition) -> Result<Scalar, ReadMeshError> {
     Ok(match word.to_ascii_lowercase().as_slice() {
         b"char" | b"signed_char" => Scalar::I8,
         b"unsigned_char" => Scalar::U8,

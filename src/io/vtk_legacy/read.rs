@@ -4,14 +4,14 @@ use super::cells::read_cells;
 use super::cursor::{LegacyCursor, scalar};
 use super::skip::{skip_field, skip_metadata};
 use crate::io::binary_cursor::{Scalar, count};
-use crate::io::mesh_draft::{MeshDraft, Place, check_count};
+use crate::io::mesh_draft::{FilePosition, MeshDraft, check_count};
 use crate::io::text_lines::{shown, words};
 use crate::io::{Limits, MeshFile, ReadMeshError};
 
 /// A cell whose type comes later in the file.
 struct PendingCell {
     end: usize,
-    place: Place,
+    place: FilePosition,
 }
 
 /// What has been read of a file.
@@ -163,7 +163,7 @@ impl Reader<'_> {
         )
     }
 
-    fn read_cell_types(&mut self, place: Place) -> Result<(), ReadMeshError> {
+    fn read_cell_types(&mut self, place: FilePosition) -> Result<(), ReadMeshError> {
         let types = self.cursor.count()?;
         self.cursor.begin_numbers();
         if types != self.cells.len() as u64 {
@@ -192,8 +192,8 @@ fn add_cell(
     draft: &mut MeshDraft,
     kind: u64,
     corners: &[u32],
-    cell_place: Place,
-    type_place: Place,
+    cell_place: FilePosition,
+    type_place: FilePosition,
 ) -> Result<(), ReadMeshError> {
     let (name, needed) = match kind {
         0 if corners.is_empty() => return Ok(()),

@@ -2,7 +2,7 @@
 
 use super::cursor::{LegacyCursor, scalar};
 use crate::io::ReadMeshError;
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 
 /// Passes over a FIELD from behind its keyword on: its name, and so many named arrays, each perhaps with metadata.
 pub(super) fn skip_field(cursor: &mut LegacyCursor<'_>) -> Result<(), ReadMeshError> {
@@ -26,7 +26,7 @@ fn skip_array(
     cursor: &mut LegacyCursor<'_>,
     values: u64,
     kind: &[u8],
-    place: Place,
+    place: FilePosition,
 ) -> Result<(), ReadMeshError> {
     if kind == b"string" || cursor.is_binary() {
         cursor.line();

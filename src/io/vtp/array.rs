@@ -1,62 +1,46 @@
 //! One DataArray of a VTP file as numbers, each with its place in the file.
 
-use std::cell::Cell;
-
 use roxmltree::Node;
 
-use super::appended::Appended;
 use super::base64_stream::Base64Stream;
-use super::encoded::{Encoding, Stream, decode};
+use super::encoded::{Stream, decode};
+use super::file::VtpFile;
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 use crate::io::text_lines::{number, shown};
-use crate::io::xml::LineIndex;
-
-/// A parsed file and what its arrays need to be decoded.
-pub(super) struct VtpFile<'a> {
-    pub(super) lines: LineIndex,
-    pub(super) appended: Option<Appended<'a>>,
-    pub(super) encoding: Encoding<'a>,
-    /// Bytes that arrays may still unpack to, all together.
-    pub(super) budget: Cell<u64>,
-}
 
 /// The numbers of an array.
 #[derive(Debug)]
 pub(super) struct Numbers {
     pub(super) values: Vec<f64>,
     /// Where the array stands.
-    pub(super) place: Place,
+    pub(super) place: FilePosition,
     /// Line of each number, as (index of the first number on it, line); empty for binary arrays.
     lines: Vec<(usize, usize)>,
 }
 
 impl Numbers {
     /// Where a number stands; the start of the array if that is binary.
-    pub(super) fn place_of(&self, index: usize) -> Place {
+    pub(super) fn place_of(&self, index: usize) -> FilePosition {
         let after = self.lines.partition_point(|&(first, _)| first <= index);
         match after.checked_sub(1).and_then(|at| self.lines.get(at)) {
-            Some(&(_, line)) => Place::Line(line),
+            Some(&(_, line)) => FilePosition::Line(line),
             None => self.place,
         }
     }
 }
 
 impl VtpFile<'_> {
-    /// The line on which an element begins.
-    pub(super) fn place(&self, node: Node<'_, '_>) -> Place {
-        Place::Line(self.lines.line(node.range().start))
-    }
-
     /// Reads the array of an element, which has at most `most` numbers.
     pub(super) fn numbers(&self, node: Node<'_, '_>, most: u64) -> Result<Numbers, ReadMeshError> {
         let place = self.place(node);
         let scalar = scalar(node.attribute("type").unwrap_or_default(), place)?;
         // comments and instructions of processing may stand between the texts of an element
         let texts = node.children().filter(Node::is_text);
-        match node.attribute("format").unwrap_or("ascii").trim() {
-            format if format.eq_ignore_ascii_case("ascii") => {
+        let format = node.attribute("format").unwrap_or("ascii").trim();
+        match format.to_ascii_lowercase().as_str() {
+            "ascii" => {
                 let texts = texts.map(|text| {
                     let line = self.lines.line(text.range().start);
                     (text.text().unwrap_or_default(), line)
@@ -75,15 +59,15 @@ impl VtpFile<'_> {
                 let (stream, place) = self.appended_stream(node, place)?;
                 self.binary_numbers(stream, scalar, most, place)
             }
-            other => Err(place.error(format!("unknown format {}", shown(other.as_bytes())))),
+            _ => Err(place.error(format!("unknown format {}", shown(format.as_bytes())))),
         }
     }
 
     fn appended_stream(
         &self,
         node: Node<'_, '_>,
-        place: Place,
-    ) -> Result<(Stream<'_>, Place), ReadMeshError> {
+        place: FilePosition,
+    ) -> Result<(Stream<'_>, FilePosition), ReadMeshError> {
         let appended = self
             .appended
             .ok_or_else(|| place.error("the array is appended, but there are no appended data"))?;
@@ -101,7 +85,7 @@ impl VtpFile<'_> {
             )));
         };
         let start = appended.start + offset;
-        let place = Place::Byte(start);
+        let place = FilePosition::Byte(start);
         if appended.base64 {
             return Ok((Stream::Base64(Base64Stream::new(rest, place)), place));
         }
@@ -116,7 +100,7 @@ impl VtpFile<'_> {
         stream: Stream<'_>,
         scalar: Scalar,
         most: u64,
-        place: Place,
+        place: FilePosition,
     ) -> Result<Numbers, ReadMeshError> {
         let size = scalar.size();
         let bytes = decode(
@@ -146,7 +130,7 @@ impl VtpFile<'_> {
 fn text_numbers<'t>(
     texts: impl Iterator<Item = (&'t str, usize)>,
     most: u64,
-    place: Place,
+    place: FilePosition,
 ) -> Result<Numbers, ReadMeshError> {
     let mut joined = Vec::new();
     let mut line_starts = Vec::new();
@@ -171,7 +155,7 @@ fn text_numbers<'t>(
         if lines.last().is_none_or(|&(_, last)| last != line) {
             lines.push((values.len(), line));
         }
-        let place = Place::Line(line);
+        let place = FilePosition::Line(line);
         if values.len() as u64 >= most {
             return Err(place.error(format!("an array of more than {most} numbers")));
         }
@@ -185,7 +169,7 @@ fn text_numbers<'t>(
 }
 
 /// A type as the format names it.
-pub(super) fn scalar(name: &str, place: Place) -> Result<Scalar, ReadMeshError> {
+pub(super) fn scalar(name: &str, place: FilePosition) -> Result<Scalar, ReadMeshError> {
     Ok(match name {
         "Int8" => Scalar::I8,
         "UInt8" => Scalar::U8,
@@ -202,7 +186,7 @@ pub(super) fn scalar(name: &str, place: Place) -> Result<Scalar, ReadMeshError> 
 }
 
 /// Byte order as the format names it.
-pub(super) fn byte_order(name: &str, place: Place) -> Result<ByteOrder, ReadMeshError> {
+pub(super) fn byte_order(name: &str, place: FilePosition) -> Result<ByteOrder, ReadMeshError> {
     match name {
         "LittleEndian" => Ok(ByteOrder::Little),
         "BigEndian" => Ok(ByteOrder::Big),

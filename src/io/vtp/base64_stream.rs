@@ -4,7 +4,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use crate::io::ReadMeshError;
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 
 /// Bytes from base64 text, decoded no further than they are asked for.
 pub(super) struct Base64Stream<'a> {
@@ -13,12 +13,12 @@ pub(super) struct Base64Stream<'a> {
     /// Decoded bytes, of which `used` have been given out.
     decoded: Vec<u8>,
     used: usize,
-    place: Place,
+    place: FilePosition,
 }
 
 impl<'a> Base64Stream<'a> {
     /// From the start of `text`, which holds no white space; errors name `place`.
-    pub(super) fn new(text: &'a [u8], place: Place) -> Self {
+    pub(super) fn new(text: &'a [u8], place: FilePosition) -> Self {
         Self {
             text,
             at: 0,
@@ -62,7 +62,7 @@ mod tests {
     #[test]
     fn padded_pieces_read_as_one_stream() {
         let text = STANDARD.encode([8, 0, 0, 0]) + &STANDARD.encode(b"abcdefgh");
-        let mut stream = Base64Stream::new(text.as_bytes(), Place::Byte(0));
+        let mut stream = Base64Stream::new(text.as_bytes(), FilePosition::Byte(0));
         assert_eq!(stream.take(4).unwrap(), [8, 0, 0, 0]);
         assert_eq!(stream.take(3).unwrap(), b"abc");
         assert_eq!(stream.take(5).unwrap(), b"defgh");
@@ -72,7 +72,7 @@ mod tests {
     #[test]
     fn an_unpadded_boundary_inside_a_piece_loses_nothing() {
         let text = STANDARD.encode(b"1234abcdefgh");
-        let mut stream = Base64Stream::new(text.as_bytes(), Place::Byte(0));
+        let mut stream = Base64Stream::new(text.as_bytes(), FilePosition::Byte(0));
         assert_eq!(stream.take(4).unwrap(), b"1234");
         assert_eq!(stream.take(8).unwrap(), b"abcdefgh");
     }

@@ -8,7 +8,7 @@ use flate2::read::ZlibDecoder;
 use super::base64_stream::Base64Stream;
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::FilePosition;
 use crate::io::text_lines::shown;
 
 /// What the file says about all its binary arrays.
@@ -26,7 +26,7 @@ pub(super) enum Compressor<'a> {
     None,
     Zlib,
     /// One that is not read, and where the file names it. Arrays in text are not packed by any.
-    Other(&'a str, Place),
+    Other(&'a str, FilePosition),
 }
 
 /// Bytes as they stand, or through base64.
@@ -43,7 +43,7 @@ impl Stream<'_> {
         }
     }
 
-    fn size(&mut self, encoding: Encoding<'_>, place: Place) -> Result<u64, ReadMeshError> {
+    fn size(&mut self, encoding: Encoding<'_>, place: FilePosition) -> Result<u64, ReadMeshError> {
         let bytes = self.take(encoding.header.size() as u64)?;
         let size = encoding.header.number(&bytes, encoding.order);
         // sizes of 2⁵³ bytes and more are damage, and not exact in f64
@@ -61,7 +61,7 @@ pub(super) fn decode(
     encoding: Encoding<'_>,
     max_bytes: u64,
     budget: &Cell<u64>,
-    place: Place,
+    place: FilePosition,
 ) -> Result<Vec<u8>, ReadMeshError> {
     let check = |bytes: u64| {
         if bytes > max_bytes {

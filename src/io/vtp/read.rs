@@ -5,10 +5,11 @@ use std::cell::Cell;
 use roxmltree::Node;
 
 use super::appended::cut_appended;
-use super::array::{VtpFile, byte_order, scalar};
+use super::array::{byte_order, scalar};
 use super::encoded::{Compressor, Encoding};
+use super::file::VtpFile;
 use crate::io::binary_cursor::{Scalar, vertex_index};
-use crate::io::mesh_draft::{MeshDraft, Place, check_count, missing_vertex};
+use crate::io::mesh_draft::{FilePosition, MeshDraft, check_count, missing_vertex};
 use crate::io::text_encoding::xml_text;
 use crate::io::text_lines::{count, shown};
 use crate::io::xml::{LineIndex, parse_xml};
@@ -22,7 +23,7 @@ pub(crate) fn read_vtp(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
     let document = parse_xml(&xml)?;
     let root = document.root_element();
     let lines = LineIndex::new(&xml);
-    let place = Place::Line(lines.line(root.range().start));
+    let place = FilePosition::Line(lines.line(root.range().start));
     check_root(root, place)?;
     let file = VtpFile {
         lines,
@@ -49,7 +50,7 @@ pub(crate) fn read_vtp(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
     draft.finish()
 }
 
-fn check_root(root: Node<'_, '_>, place: Place) -> Result<(), ReadMeshError> {
+fn check_root(root: Node<'_, '_>, place: FilePosition) -> Result<(), ReadMeshError> {
     if !root.has_tag_name("VTKFile") {
         let name = shown(root.tag_name().name().as_bytes());
         return Err(place.error(format!("the file is a {name}, not a VTKFile")));
@@ -60,7 +61,10 @@ fn check_root(root: Node<'_, '_>, place: Place) -> Result<(), ReadMeshError> {
     }
 }
 
-fn read_encoding<'a>(root: Node<'a, '_>, place: Place) -> Result<Encoding<'a>, ReadMeshError> {
+fn read_encoding<'a>(
+    root: Node<'a, '_>,
+    place: FilePosition,
+) -> Result<Encoding<'a>, ReadMeshError> {
     let header = scalar(root.attribute("header_type").unwrap_or("UInt32"), place)?;
     if !matches!(header, Scalar::U32 | Scalar::U64) {
         return Err(place.error("the header type is neither UInt32 nor UInt64"));
@@ -160,7 +164,7 @@ fn read_points(
 }
 
 /// Called with the corners of each cell and where they stand.
-type EachCell<'f> = &'f mut dyn FnMut(&[u32], Place) -> Result<(), ReadMeshError>;
+type EachCell<'f> = &'f mut dyn FnMut(&[u32], FilePosition) -> Result<(), ReadMeshError>;
 
 /// Calls `each` with the corners of every cell and where they stand; of as many cells as there are offsets, if the
 /// piece does not say how many.

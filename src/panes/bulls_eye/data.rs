@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
+use crate::analysis::verdicts::SubjectThickening;
 use crate::document::document::nearest_frame;
 use crate::document::state::State;
-use crate::engine::SubjectThickening;
 use crate::panes::patch::view::wall_state;
 use crate::picture::{
-    BullsEyeScale, CohortLimits, PatchStanding, PolarMap, PolarValues, WallPart, part_name, percent,
+    BullsEyeScale, CohortColourRanges, PatchStanding, PolarMap, PolarValues, WallPart, part_name,
+    percent,
 };
 
 use super::{BullsEyePatch, BullsEyeView};
@@ -42,7 +43,7 @@ fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) 
 
 impl BullsEyeData {
     /// Lays the wall flat again where it changed, and takes the values of the pose on screen.
-    pub fn refresh(&mut self, state: &State, cohort: &CohortLimits) {
+    pub fn refresh(&mut self, state: &State, cohort: &CohortColourRanges) {
         let document = &state.document;
         let quantity = document.bulls_eye;
         let unit = document.selected().map(|subject| subject.unit);

@@ -1,7 +1,7 @@
 //! The bull's-eye as a figure.
 
 use crate::document::document::nearest_frame;
-use crate::engine::{WallThickeningQuery, file_name, thickening_words};
+use crate::engine::{WallThickeningQuery, file_name};
 use crate::panes::figure::{PaneFigure, check_measured};
 use crate::panes::pane_context::PaneContext;
 use crate::panes::viewport::viewport::Viewport;
@@ -10,6 +10,7 @@ use crate::picture::plot::{Plot, PlotFigure};
 use crate::picture::{
     BullsEyeScale, PolarMap, patch_heading, sentence, smallest_words, wall_thickening_words,
 };
+use crate::report::thickening_words;
 
 /// What the pane is exported as.
 pub const FIGURE: PaneFigure = PaneFigure {
@@ -38,7 +39,7 @@ fn content(cx: &PaneContext<'_>) -> Result<PlotFigure, String> {
     let typed = document.limits_of(quantity.on_heart());
     let viewport = cx.memo().get::<Viewport>();
     let viewport = viewport.borrow_mut();
-    let scale = BullsEyeScale::of(quantity, viewport.cohort_limits(), typed, subject.unit);
+    let scale = BullsEyeScale::of(quantity, viewport.cohort_ranges(), typed, subject.unit);
     let frame = nearest_frame(document.position, wall.beat.frames.len());
     let standing = state.patch_standing(document.subject);
     let assessed = wall.not_assessed.is_none();

@@ -32,6 +32,6 @@ fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
     let data = cx.memo().get::<BullsEyeData>();
     let mut data = data.borrow_mut();
     let viewport = cx.memo().get::<Viewport>();
-    data.refresh(cx.state(), viewport.borrow_mut().cohort_limits());
+    data.refresh(cx.state(), viewport.borrow_mut().cohort_ranges());
     bulls_eye_ui(ui, &data.view(cx.state()), commands);
 }

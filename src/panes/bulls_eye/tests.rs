@@ -27,7 +27,7 @@ impl Default for Shown {
 }
 
 fn ratio_scale() -> BullsEyeScale {
-    let quantity = BullsEyeQuantity::Ratio;
+    let quantity = BullsEyeQuantity::ThicknessRatio;
     BullsEyeScale::of(quantity, &Default::default(), None, Default::default())
 }
 

@@ -1,7 +1,7 @@
 //! Commands about the wall: medial atoms, patches, segments, the bull's-eye.
 
 use super::action::{Menu, NONE, Row, row};
-use crate::engine::ThickeningSettings;
+use crate::analysis::thickening::ThickeningSettings;
 use crate::picture::BullsEyeQuantity;
 use crate::picture::WallPart;
 use crate::render::Camera;
@@ -47,7 +47,7 @@ pub(super) static ACTIONS: &[Row<WallCommand>] = &[
     row(Menu::View, 2, "Patch outlines", Some((NONE, Key::P)), WallCommand::TogglePatches),
     row(Menu::View, 2, "ANV and MP of the patch", None, WallCommand::ToggleDirection),
     row(Menu::View, 3, "Next bull's-eye quantity", Some((NONE, Key::B)), WallCommand::NextBullsEye),
-    row(Menu::View, 3, "Bull's-eye: PT of this pose", None, WallCommand::SetBullsEye(BullsEyeQuantity::Ratio)),
+    row(Menu::View, 3, "Bull's-eye: PT of this pose", None, WallCommand::SetBullsEye(BullsEyeQuantity::ThicknessRatio)),
     row(Menu::View, 3, "Bull's-eye: thickening", None, WallCommand::SetBullsEye(BullsEyeQuantity::Thickening)),
     row(Menu::View, 3, "Bull's-eye: displacement", None, WallCommand::SetBullsEye(BullsEyeQuantity::Displacement)),
     row(Menu::View, 3, "Bull's-eye: area ratio", None, WallCommand::SetBullsEye(BullsEyeQuantity::AreaRatio)),

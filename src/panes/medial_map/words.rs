@@ -1,7 +1,7 @@
 //! The words of the medial map.
 
 use crate::engine::{MedialMapQuery, Topic};
-use crate::panes::scatter_map::{MapWords, play_command};
+use crate::panes::scatter_map::{MapWords, play_command, stress_words};
 
 /// The words of the map.
 pub static MEDIAL_MAP: MapWords = MapWords {
@@ -21,16 +21,14 @@ pub fn medial_map_note(stress: Option<f64>, frame: &str) -> [String; 2] {
     let stress = stress.map(|stress| format!("stress {stress:.2}"));
     [
         stress.unwrap_or_default(),
-        format!("{EXPLANATION}\nCompared by {frame}."),
+        format!("{EXPLANATION} {}\nCompared by {frame}.", stress_words()),
     ]
 }
 
 const EXPLANATION: &str = "A point is a step of the beat: mean position, mean thickness ratio and \
                            mean normal of the medial atoms that do not thicken in it, of each patch \
-                           or, without one, of the whole wall. Kruskal's stress 1: relative \
-                           error of the distances on the map; below 0.1 good, above 0.2 \
-                           misleading. Filled marks begin at end-diastole, open ones at \
-                           end-systole; the axes have no unit.";
+                           or, without one, of the whole wall. Filled marks begin at \
+                           end-diastole, open ones at end-systole; the axes have no unit.";
 
 /// What the hover card says of a step: the patch with its mean thickness ratio, and how far apart the
 /// poses of its path are.

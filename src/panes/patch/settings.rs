@@ -4,8 +4,7 @@ use std::ops::RangeInclusive;
 
 use egui::{Slider, Ui};
 
-use crate::analysis::thickening::ThickeningParams;
-use crate::engine::ThickeningSettings;
+use crate::analysis::thickening::{ThickeningParams, ThickeningSettings};
 use crate::panes::commands::{Command, WallCommand};
 use crate::panes::patch::PatchPanelView;
 use crate::ui::number_field::number_words;

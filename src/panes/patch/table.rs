@@ -14,12 +14,7 @@ use crate::units::LengthUnit;
 /// Height of the line with the numbers.
 const LINE: f32 = 20.0;
 /// The columns; the last has no room in a narrow pane.
-const COLUMNS: [Column<PatchRow>; 4] = [
-    PatchRow::AREA_CM2,
-    PatchRow::SHARE,
-    PatchRow::THICKENING,
-    PatchRow::STABILITY,
-];
+const COLUMNS: [Column<PatchRow>; PatchRow::IN_PANE.len()] = PatchRow::IN_PANE;
 /// Width below which three columns have room.
 const NARROW: f32 = 160.0;
 /// Width from which headings are written out.

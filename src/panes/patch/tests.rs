@@ -3,7 +3,8 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
-use crate::engine::{ThickeningSettings, Topic, WallThickeningQuery};
+use crate::analysis::thickening::ThickeningSettings;
+use crate::engine::{Topic, WallThickeningQuery};
 use crate::panes::{WallCommand, WorkCommand, WorkState};
 use crate::picture::WallPart;
 use crate::render::Camera;

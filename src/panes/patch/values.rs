@@ -1,6 +1,6 @@
 //! What the pane of patches shows, as plain values.
 
-use crate::engine::ThickeningSettings;
+use crate::analysis::thickening::ThickeningSettings;
 use crate::panes::work_state::WorkState;
 use crate::picture::PatchStanding;
 use crate::render::Camera;

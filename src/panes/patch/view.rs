@@ -1,8 +1,9 @@
 //! Patches of the selected subject: the table, from where each is seen, what is not assessed and why.
 
 use crate::analysis::thickening::Patch;
+use crate::analysis::verdicts::SubjectThickening;
 use crate::document::state::State;
-use crate::engine::{Showing, SubjectThickening};
+use crate::engine::Showing;
 use crate::panes::patch::words::standing_note;
 use crate::panes::viewport::shown_subject::ShownSubject;
 use crate::panes::work_state::WorkState;

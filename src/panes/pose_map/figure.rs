@@ -1,6 +1,7 @@
 //! The pose map as a figure.
 
-use crate::engine::{PoseMap, Query};
+use crate::analysis::embedding::PoseMap;
+use crate::engine::Query;
 use crate::panes::figure::{PaneFigure, check_measured, not_computed};
 use crate::panes::metric::words::method_name;
 use crate::panes::pane_context::PaneContext;

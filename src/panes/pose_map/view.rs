@@ -2,10 +2,10 @@
 
 use egui::Ui;
 
+use crate::analysis::embedding::PoseMap;
 use crate::analysis::pose_distances::PoseId;
 use crate::document::document::cycle_share;
 use crate::document::state::State;
-use crate::engine::PoseMap;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::pane_context::{Kept, PaneContext};
 use crate::panes::scatter_map::from_state::{MapPoints, left_out, plane};

@@ -1,7 +1,7 @@
 //! The words of the pose map.
 
 use crate::engine::{PoseMapQuery, Topic};
-use crate::panes::scatter_map::{MapWords, play_command};
+use crate::panes::scatter_map::{MapWords, play_command, stress_words};
 
 /// The words of the map.
 pub static POSE_MAP: MapWords = MapWords {
@@ -20,10 +20,11 @@ pub fn pose_map_note(stress: Option<f64>, neighbours: Option<usize>) -> [String;
     let stress = stress.map(|stress| format!("stress {stress:.2}"));
     let neighbours = neighbours.map(|neighbours| format!("{neighbours} neighbours"));
     let parts: Vec<String> = stress.into_iter().chain(neighbours).collect();
-    [parts.join(" · "), EXPLANATION.to_owned()]
+    [
+        parts.join(" · "),
+        format!("{} {EXPLANATION}", stress_words()),
+    ]
 }
 
-const EXPLANATION: &str = "Kruskal's stress 1: relative error of the distances on the map; below 0.1 \
-                           good, above 0.2 misleading. Only distances between points can be \
-                           interpreted; the axes have no unit. Filled marks are end-diastole, open \
-                           ones end-systole.";
+const EXPLANATION: &str = "Only distances between points can be interpreted; the axes have no unit. \
+                           Filled marks are end-diastole, open ones end-systole.";

@@ -23,12 +23,13 @@ mod path;
 mod point;
 mod respond;
 mod state;
+mod stress_words;
 #[cfg(test)]
 mod tests;
 mod view;
 
 pub use {data::*, draw::*, input::*, map::*, method::*, orientation::*, path::*, point::*};
-pub use {figure::*, respond::*, view::*};
+pub use {figure::*, respond::*, stress_words::*, view::*};
 pub use {lens::bounds, state::without_map_ui};
 
 /// Forgets where on a map the eye, the pointer and the keyboard are: another study has other points there.

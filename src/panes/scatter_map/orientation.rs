@@ -36,6 +36,9 @@ impl Turn {
     /// With s = Σ pᵢ·qᵢ and c = Σ pᵢ×qᵢ over points of both maps, p of the new map and q of the
     /// previous, both centred, the best rotation is by atan2(c, s) and gains √(s² + c²); the mirror
     /// image is taken where it gains more. Maps that share fewer than two points stay.
+    ///
+    /// Source: in the plane, the rotation of Borg and Groenen, *Modern Multidimensional Scaling*, 2nd ed., section 20.2, with a
+    /// reflection allowed: a map has no handedness.
     pub fn towards(points: &[ScatterPoint], previous: &[ScatterPoint]) -> Self {
         let place: HashMap<PointKey, [f64; 2]> = previous
             .iter()

@@ -7,7 +7,7 @@ use crate::analysis::transport::TransportAccount;
 use crate::document::ViewMode;
 use crate::document::VisiblePose;
 use crate::document::differences::hindrance;
-use crate::document::document::{TransportedMotion, nearest_frame};
+use crate::document::document::{TransportChoice, nearest_frame};
 use crate::document::interpolated_poses::between_words;
 use crate::document::state::State;
 use crate::document::transported::TransportState;
@@ -114,7 +114,7 @@ fn beside_its_origin(
     } else {
         let standing;
         (standing, leave) = match (state.answers.transport_state, state.document.transported) {
-            (TransportState::Stopped, Some(TransportedMotion { from, onto })) => {
+            (TransportState::Stopped, Some(TransportChoice { from, onto })) => {
                 let again = TransportCommand::TransportMotion { from, onto };
                 ("was stopped", ("Transport again", again.into()))
             }

@@ -5,10 +5,11 @@
 use std::sync::Arc;
 
 use crate::analysis::medial::MedialBeat;
-use crate::engine::{
-    Context, Dependencies, Interrupted, Memory, Query, Store, SubjectThickening, Urgency,
+use crate::analysis::verdicts::SubjectThickening;
+use crate::engine::{Context, Dependencies, Interrupted, Memory, Query, Store, Urgency};
+use crate::picture::{
+    CohortColourRanges, PreparedMedial, PreparedSubject, SubjectFrame, fitted_camera,
 };
-use crate::picture::{CohortLimits, PreparedMedial, PreparedSubject, SubjectFrame, fitted_camera};
 use crate::render::Camera;
 use crate::study::{Study, Subject};
 
@@ -124,7 +125,7 @@ struct ColourRangesQuery {
 }
 
 impl Query for ColourRangesQuery {
-    type Answer = CohortLimits;
+    type Answer = CohortColourRanges;
     const TITLE: &'static str = "Colour ranges";
     const FAILURE: Option<&'static str> = Some("The colour ranges could not be computed");
     const LISTED: bool = false;
@@ -133,11 +134,11 @@ impl Query for ColourRangesQuery {
         Dependencies::study_as_read(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<CohortLimits, Interrupted> {
-        Ok(CohortLimits::of(cx.study(), &self.reference_frames))
+    fn run(&self, cx: &Context<'_>) -> Result<CohortColourRanges, Interrupted> {
+        Ok(CohortColourRanges::of(cx.study(), &self.reference_frames))
     }
 
-    fn memory(_: &CohortLimits, _: &mut Memory) {}
+    fn memory(_: &CohortColourRanges, _: &mut Memory) {}
 
     fn replaces(&self, _: &Self) -> bool {
         true
@@ -206,7 +207,7 @@ impl<'a> Pictures<'a> {
     }
 
     /// The fixed colour ranges of the study; the ones before while new ones are computed.
-    pub fn cohort_limits(&self, reference_frames: &[usize]) -> Option<CohortLimits> {
+    pub fn cohort_ranges(&self, reference_frames: &[usize]) -> Option<CohortColourRanges> {
         let query = ColourRangesQuery {
             reference_frames: reference_frames.to_vec(),
         };

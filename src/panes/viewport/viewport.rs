@@ -11,8 +11,8 @@ use crate::panes::{
     subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
-    CohortLimits, MedialSettings, PatchLook, PictureTheme, Quantity, SceneSettings, SubjectScene,
-    WallPart, scene_with_extras,
+    CohortColourRanges, MedialSettings, PatchLook, PictureTheme, Quantity, SceneSettings,
+    SubjectScene, WallPart, scene_with_extras,
 };
 use crate::render::{Camera, ViewId};
 use crate::study::Revision;
@@ -42,7 +42,7 @@ pub struct Viewport {
     mode: ViewMode,
     /// Which opening of a study and which list the subjects on screen are of.
     of: (u64, Revision),
-    limits: CohortLimits,
+    limits: CohortColourRanges,
     fits: Fits,
     numbers: ScalarCache,
     pinned: Option<Picked>,
@@ -96,7 +96,7 @@ impl Viewport {
             shown.any(|shown| picked.belongs_to(&shown.subject))
         });
         if !open.study.subjects.is_empty()
-            && let Some(limits) = pictures.cohort_limits(reference_frames)
+            && let Some(limits) = pictures.cohort_ranges(reference_frames)
         {
             self.limits = limits;
         }
@@ -131,7 +131,7 @@ impl Viewport {
     }
 
     /// The fixed colour ranges of the study.
-    pub fn cohort_limits(&self) -> &CohortLimits {
+    pub fn cohort_ranges(&self) -> &CohortColourRanges {
         &self.limits
     }
 
@@ -140,7 +140,7 @@ impl Viewport {
         let visible = document.visibility;
         SceneSettings {
             quantity: document.quantity,
-            cohort_limits: self.limits,
+            cohort_ranges: self.limits,
             typed_limits: document.limits(),
             inner: visible.endocardium,
             outer: visible.epicardium,

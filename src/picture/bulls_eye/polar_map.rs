@@ -1,7 +1,7 @@
 //! Polar map of one heart's wall: its atoms on the unit disc, with values of any pose.
 
 use crate::analysis::segments::{Polar, Segment, flat_map, polar, segment_means};
-use crate::engine::SubjectThickening;
+use crate::analysis::verdicts::SubjectThickening;
 use crate::mesh::{Point3, vertex_areas};
 use crate::picture::bulls_eye::BullsEyeQuantity;
 use crate::picture::bulls_eye::patches::{PolarPatch, polar_patch};
@@ -76,7 +76,7 @@ impl PolarMap {
         };
         let means = |numbers: &[f64]| segment_means(&wall.segments, &self.weights, numbers);
         match quantity {
-            BullsEyeQuantity::Ratio => {
+            BullsEyeQuantity::ThicknessRatio => {
                 let atoms =
                     |frame: usize| beat.frames.get(frame).map_or(&[][..], |pose| &pose.atoms);
                 let (now, rest) = (atoms(frame), atoms(thickening.end_diastole));
@@ -156,7 +156,10 @@ impl PolarMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::{Store, StoreOptions, ThickeningSettings, WallThickeningQuery};
+    use crate::analysis::measures::measure_subject;
+    use crate::analysis::medial::{MedialParams, medial_beat};
+    use crate::analysis::thickening::ThickeningParams;
+    use crate::analysis::verdicts::VerdictParams;
     use crate::mesh::phantom;
     use crate::progress::Progress;
     use crate::study::built_in::{BuiltInParams, cohort};
@@ -169,21 +172,25 @@ mod tests {
             vertices: 400,
             ..BuiltInParams::default()
         };
-        let study = Arc::new(cohort(&params).unwrap().study);
-        let query = WallThickeningQuery {
-            subject: 0,
-            settings: ThickeningSettings::default(),
-        };
-        let store = Store::start(StoreOptions::default()).unwrap();
-        let answer = store.answer(&study, &query, &Progress::default());
-        let wall: Arc<SubjectThickening> = answer.unwrap();
+        let study = cohort(&params).unwrap().study;
         let subject = &study.subjects[0];
+        let progress = Progress::default();
+        let spheres = MedialParams::default().check().unwrap();
+        let wall = SubjectThickening::new(
+            subject,
+            Arc::new(medial_beat(subject, &spheres, &progress).unwrap()),
+            &measure_subject(subject),
+            &ThickeningParams::default().check().unwrap(),
+            &VerdictParams::default().check().unwrap(),
+            &progress,
+        )
+        .unwrap();
         let flat = PolarMap::of(&wall).unwrap();
         assert!(flat.oriented);
         let [diastole, systole] = [wall.thickening.end_diastole, wall.thickening.end_systole];
         let at = |quantity, frame| flat.values(&wall, subject, quantity, frame);
         for (quantity, rest, [least, most]) in [
-            (BullsEyeQuantity::Ratio, 1.0, [1.1, 2.5]),
+            (BullsEyeQuantity::ThicknessRatio, 1.0, [1.1, 2.5]),
             (BullsEyeQuantity::Displacement, 0.0, [0.5, 25.0]),
             (BullsEyeQuantity::AreaRatio, 1.0, [0.3, 0.95]),
         ] {

@@ -3,11 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use crate::picture::colour_map::ColourMap;
-use crate::picture::colour_ranges::CohortLimits;
-use crate::picture::legend::colour_map;
+use crate::picture::colour_ranges::CohortColourRanges;
 use crate::picture::quantity::Quantity;
 use crate::picture::ticks::{logarithmic_ticks, nice_ticks, ratio_text, tick_text};
-use crate::render::ColourLimits;
+use crate::render::ColourRange;
 use crate::units::LengthUnit;
 
 /// What the bull's-eye shows.
@@ -18,7 +17,9 @@ pub enum BullsEyeQuantity {
     #[default]
     Thickening,
     /// PT of the pose on screen against end-diastole.
-    Ratio,
+    // The name in pictures and settings that were saved.
+    #[serde(rename = "ratio")]
+    ThicknessRatio,
     /// How far the inner wall has moved since end-diastole at the pose on screen.
     Displacement,
     /// Area of the inner wall at the pose on screen against end-diastole.
@@ -29,7 +30,7 @@ impl BullsEyeQuantity {
     /// All, in the order in which one key steps through them.
     pub const ALL: [Self; 4] = [
         Self::Thickening,
-        Self::Ratio,
+        Self::ThicknessRatio,
         Self::Displacement,
         Self::AreaRatio,
     ];
@@ -44,7 +45,7 @@ impl BullsEyeQuantity {
     pub fn name(self) -> &'static str {
         match self {
             Self::Thickening => "Thickening",
-            Self::Ratio => "PT, this pose",
+            Self::ThicknessRatio => "PT, this pose",
             Self::Displacement => "Displacement",
             Self::AreaRatio => "Area ratio",
         }
@@ -53,7 +54,7 @@ impl BullsEyeQuantity {
     /// What has the same colours on the heart.
     pub fn on_heart(self) -> Quantity {
         match self {
-            Self::Thickening | Self::Ratio => Quantity::ThicknessRatio,
+            Self::Thickening | Self::ThicknessRatio => Quantity::ThicknessRatio,
             Self::Displacement => Quantity::Displacement,
             Self::AreaRatio => Quantity::AreaRatio,
         }
@@ -66,7 +67,7 @@ pub struct BullsEyeScale {
     /// What is shown.
     pub quantity: BullsEyeQuantity,
     /// Numbers at the ends of the colours.
-    pub limits: ColourLimits,
+    pub limits: ColourRange,
     /// The colours.
     pub map: ColourMap,
     unit: LengthUnit,
@@ -76,7 +77,7 @@ impl Default for BullsEyeScale {
     fn default() -> Self {
         Self::of(
             BullsEyeQuantity::default(),
-            &CohortLimits::default(),
+            &CohortColourRanges::default(),
             None,
             LengthUnit::default(),
         )
@@ -87,13 +88,13 @@ impl BullsEyeScale {
     /// The scale of a quantity: that of the same quantity on the heart, with its typed limits where there are any.
     pub fn of(
         quantity: BullsEyeQuantity,
-        cohort: &CohortLimits,
+        cohort: &CohortColourRanges,
         typed: Option<[f64; 2]>,
         unit: LengthUnit,
     ) -> Self {
         let range = cohort.range(quantity.on_heart());
         let typed = typed.filter(|[low, high]| high > low && (*low > 0.0 || !range.logarithmic));
-        let limits = typed.map_or(range, |[low, high]| ColourLimits {
+        let limits = typed.map_or(range, |[low, high]| ColourRange {
             low: low as f32,
             high: high as f32,
             ..range
@@ -101,7 +102,10 @@ impl BullsEyeScale {
         Self {
             quantity,
             limits,
-            map: colour_map(quantity.on_heart()).unwrap_or_else(ColourMap::ratio),
+            map: quantity
+                .on_heart()
+                .colour_map()
+                .unwrap_or_else(ColourMap::ratio),
             unit,
         }
     }
@@ -144,7 +148,7 @@ impl BullsEyeScale {
     /// A value as it stands in its segment: "1.52", "52" percent, "7.3" millimetres.
     pub fn text(&self, value: f64) -> String {
         match self.quantity {
-            BullsEyeQuantity::Ratio | BullsEyeQuantity::AreaRatio => format!("{value:.2}"),
+            BullsEyeQuantity::ThicknessRatio | BullsEyeQuantity::AreaRatio => format!("{value:.2}"),
             BullsEyeQuantity::Displacement => format!("{value:.1}"),
             BullsEyeQuantity::Thickening => {
                 let percent = (100.0 * (value - 1.0)).round();
@@ -161,7 +165,9 @@ impl BullsEyeScale {
     pub fn title(&self, moment: &str) -> String {
         match self.quantity {
             BullsEyeQuantity::Thickening => "thickening ED to ES, %".to_owned(),
-            BullsEyeQuantity::Ratio => format!("thickness ratio PT to end-diastole · {moment}"),
+            BullsEyeQuantity::ThicknessRatio => {
+                format!("thickness ratio PT to end-diastole · {moment}")
+            }
             BullsEyeQuantity::AreaRatio => {
                 format!("endocardial area relative to end-diastole · {moment}")
             }
@@ -179,7 +185,7 @@ impl BullsEyeScale {
         let text = self.text(value);
         match self.quantity {
             BullsEyeQuantity::Thickening => format!("thickening {text} %, ED to ES"),
-            BullsEyeQuantity::Ratio => format!("PT {text} × at {moment}"),
+            BullsEyeQuantity::ThicknessRatio => format!("PT {text} × at {moment}"),
             BullsEyeQuantity::AreaRatio => format!("endocardial area {text} × at {moment}"),
             BullsEyeQuantity::Displacement => {
                 format!(
@@ -196,13 +202,13 @@ mod tests {
     use super::*;
 
     fn scale(quantity: BullsEyeQuantity, typed: Option<[f64; 2]>) -> BullsEyeScale {
-        let cohort = CohortLimits {
-            displacement: ColourLimits {
+        let cohort = CohortColourRanges {
+            displacement: ColourRange {
                 low: 0.0,
                 high: 12.0,
                 logarithmic: false,
             },
-            ..CohortLimits::default()
+            ..CohortColourRanges::default()
         };
         BullsEyeScale::of(quantity, &cohort, typed, LengthUnit::Millimetre)
     }
@@ -214,7 +220,7 @@ mod tests {
         assert_eq!(thickening.text(0.951), "−5");
         assert_eq!(thickening.text(0.999), "0");
         assert_eq!(thickening.words(1.518, "ES"), "thickening 52 %, ED to ES");
-        let ratio = scale(BullsEyeQuantity::Ratio, None);
+        let ratio = scale(BullsEyeQuantity::ThicknessRatio, None);
         assert_eq!(ratio.text(1.518), "1.52");
         assert_eq!(ratio.words(1.518, "ES"), "PT 1.52 × at ES");
         let way = scale(BullsEyeQuantity::Displacement, None);
@@ -234,7 +240,7 @@ mod tests {
             assert!(scale.ticks(4).len() > 1, "{quantity:?}");
             assert_eq!(scale.colour(f64::NAN), None);
         }
-        let ratio = BullsEyeQuantity::Ratio;
+        let ratio = BullsEyeQuantity::ThicknessRatio;
         assert_eq!(scale(ratio, Some([-1.0, 1.5])), scale(ratio, None));
         assert_eq!(scale(ratio, Some([1.5, 1.5])), scale(ratio, None));
         assert_eq!(scale(ratio, Some([0.8, 1.5])).limits.high, 1.5);

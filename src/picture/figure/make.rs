@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use crate::engine::ThickeningSettings;
+use crate::analysis::thickening::ThickeningSettings;
 use crate::picture::axes::AnatomicalView;
 use crate::picture::bulls_eye::BullsEyeQuantity;
 use crate::picture::figure::content::{FigureContent, FigureSubject};
 use crate::picture::figure::layout::{FigureFrame, drawn_figure};
 use crate::picture::figure::saved_view::{SavedCamera, SavedView};
-use crate::picture::heart_frame::SubjectFrame;
 use crate::picture::page::{FigureFonts, FigureSettings, Page, VIEW_KEY};
 use crate::picture::prepared::PreparedSubject;
 use crate::picture::scene::{SubjectExtras, SubjectScene, scene_with_extras};
 use crate::picture::scene_settings::SceneSettings;
+use crate::picture::subject_frame::SubjectFrame;
 use crate::render::{Camera, GeometryPose, Headless, RenderError};
 
 /// Where a figure is taken from.

@@ -3,12 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::segments::Segment;
-use crate::engine::ThickeningSettings;
+use crate::analysis::thickening::ThickeningSettings;
 use crate::picture::bulls_eye::BullsEyeQuantity;
-use crate::picture::heart_frame::SubjectFrame;
 use crate::picture::medial::WallPart;
 use crate::picture::quantity::Quantity;
 use crate::picture::scene_settings::SceneSettings;
+use crate::picture::subject_frame::SubjectFrame;
 use crate::render::{Camera, Shading};
 use crate::study::{Study, Subject};
 
@@ -299,7 +299,7 @@ mod tests {
             shows: SavedShows::of(&SceneSettings::default()),
             patch: Some(2),
             segment: None,
-            bulls_eye: BullsEyeQuantity::Ratio,
+            bulls_eye: BullsEyeQuantity::ThicknessRatio,
             thickening: ThickeningSettings::default(),
         }
     }

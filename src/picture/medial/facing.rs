@@ -3,7 +3,7 @@
 use glam::{DVec3, Mat3, Quat, Vec3};
 
 use crate::analysis::thickening::Patch;
-use crate::engine::SubjectThickening;
+use crate::analysis::verdicts::SubjectThickening;
 use crate::mesh::Vector3;
 use crate::picture::axes::SubjectAxes;
 

@@ -7,12 +7,12 @@ use crate::analysis::medial_space::PoseDescriptor;
 use crate::analysis::segments::Segment;
 use crate::mesh::{Point3, Vector3};
 use crate::picture::colour_ranges::THICKNESS_RATIO;
-use crate::picture::legend::{ColourLegend, USER_LIMITS, colour_map};
+use crate::picture::legend::{ColourLegend, USER_LIMITS};
 use crate::picture::prepared::{PreparedSubject, SurfaceRole};
 use crate::picture::quantity::Quantity;
 use crate::picture::scene_settings::SceneSettings;
 use crate::render::{
-    ColourLimits, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface, SurfaceColour,
+    ColourRange, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface, SurfaceColour,
 };
 use crate::study::SurfaceKind;
 
@@ -53,9 +53,9 @@ pub(in crate::picture) fn atom_legend(
     )
 }
 
-fn atom_limits(settings: &SceneSettings) -> ColourLimits {
+fn atom_limits(settings: &SceneSettings) -> ColourRange {
     match settings.medial.limits {
-        Some([low, high]) if low > 0.0 && high > low => ColourLimits {
+        Some([low, high]) if low > 0.0 && high > low => ColourRange {
             low: low as f32,
             high: high as f32,
             ..THICKNESS_RATIO
@@ -169,7 +169,7 @@ fn disc_surface(
     settings: &SceneSettings,
     pose: GeometryPose,
 ) -> Option<Surface> {
-    let map = colour_map(Quantity::ThicknessRatio)?;
+    let map = Quantity::ThicknessRatio.colour_map()?;
     (!heart.prepared.discs.triangles.is_empty()).then(|| Surface {
         geometry: Arc::clone(&heart.prepared.discs),
         pose,

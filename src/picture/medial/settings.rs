@@ -1,7 +1,7 @@
 //! What of the middle of the wall is drawn, and of which heart.
 
 use crate::analysis::segments::Segment;
-use crate::engine::SubjectThickening;
+use crate::analysis::verdicts::SubjectThickening;
 
 use super::prepared::PreparedMedial;
 

@@ -3,7 +3,7 @@
 //! Two names in letters that a machine cannot draw stay apart, and whoever copies them from a PDF or the window has the
 //! letters themselves.
 
-use ab_glyph::{Font, FontRef, OutlineCurve};
+use ab_glyph::{Font, FontRef};
 use kurbo::{BezPath, CubicBez, Point, Shape};
 use write_fonts::FontBuilder;
 use write_fonts::tables::cmap::Cmap;
@@ -14,6 +14,7 @@ use write_fonts::tables::hmtx::{Hmtx, LongMetric};
 use write_fonts::tables::maxp::Maxp;
 use write_fonts::types::GlyphId;
 
+use crate::picture::page::outline::{OutlineSink, trace};
 use crate::picture::page::weight::Weight;
 
 /// Size of a code relative to the text that it stands in.
@@ -105,7 +106,7 @@ fn code_outline(inter: &FontRef<'_>, em: f64, code: &str) -> Option<(BezPath, u1
     for letter in code.chars() {
         let id = inter.glyph_id(letter);
         if let Some(outline) = inter.outline(id) {
-            add(&mut path, &outline.curves, x);
+            trace(&outline.curves, &mut CodePath { path: &mut path, x });
         }
         x += SIZE * f64::from(inter.h_advance_unscaled(id));
     }
@@ -114,38 +115,49 @@ fn code_outline(inter: &FontRef<'_>, em: f64, code: &str) -> Option<(BezPath, u1
     (advance < f64::from(u16::MAX)).then_some((path, advance as u16))
 }
 
-/// Adds closed curves, `x` units to the right.
-fn add(path: &mut BezPath, curves: &[OutlineCurve], x: f64) {
-    let place = |point: ab_glyph::Point| {
-        Point::new(x + SIZE * f64::from(point.x), SIZE * f64::from(point.y))
-    };
-    let mut pen = None;
-    for curve in curves {
-        let (from, to) = match *curve {
-            OutlineCurve::Line(from, to)
-            | OutlineCurve::Quad(from, _, to)
-            | OutlineCurve::Cubic(from, _, _, to) => (from, to),
-        };
-        if pen != Some(from) {
-            if pen.is_some() {
-                path.close_path();
-            }
-            path.move_to(place(from));
-        }
-        match *curve {
-            OutlineCurve::Line(..) => path.line_to(place(to)),
-            OutlineCurve::Quad(_, by, _) => path.quad_to(place(by), place(to)),
-            OutlineCurve::Cubic(_, first, second, _) => {
-                let cubic = CubicBez::new(place(from), place(first), place(second), place(to));
-                for (_, _, quad) in cubic.to_quads(ACCURACY) {
-                    path.quad_to(quad.p1, quad.p2);
-                }
-            }
-        }
-        pen = Some(to);
+/// A letter of a code on its way into the outline of a face, `x` units to the right.
+struct CodePath<'a> {
+    path: &'a mut BezPath,
+    x: f64,
+}
+
+impl CodePath<'_> {
+    fn place(&self, point: ab_glyph::Point) -> Point {
+        Point::new(
+            self.x + SIZE * f64::from(point.x),
+            SIZE * f64::from(point.y),
+        )
     }
-    if pen.is_some() {
-        path.close_path();
+}
+
+impl OutlineSink for CodePath<'_> {
+    fn move_to(&mut self, to: ab_glyph::Point) {
+        self.path.move_to(self.place(to));
+    }
+
+    fn line_to(&mut self, to: ab_glyph::Point) {
+        self.path.line_to(self.place(to));
+    }
+
+    fn quad_to(&mut self, by: ab_glyph::Point, to: ab_glyph::Point) {
+        self.path.quad_to(self.place(by), self.place(to));
+    }
+
+    fn cubic_to(
+        &mut self,
+        from: ab_glyph::Point,
+        [first, second]: [ab_glyph::Point; 2],
+        to: ab_glyph::Point,
+    ) {
+        let [from, first, second, to] = [from, first, second, to].map(|point| self.place(point));
+        // A face of this format has quadratic curves alone.
+        for (_, _, quad) in CubicBez::new(from, first, second, to).to_quads(ACCURACY) {
+            self.path.quad_to(quad.p1, quad.p2);
+        }
+    }
+
+    fn close(&mut self) {
+        self.path.close_path();
     }
 }
 

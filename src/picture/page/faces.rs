@@ -6,8 +6,8 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use ab_glyph::{Font, FontRef, GlyphId};
 use rustybuzz::{UnicodeBuffer, shape};
 
-use crate::engine::system_face;
 use crate::picture::page::code_face::code_face;
+use crate::picture::page::system_faces::system_face;
 use crate::picture::page::weight::{Letter, Weight};
 
 /// A typeface for letters that Inter lacks, held for the rest of the run.

@@ -5,12 +5,14 @@ mod faces;
 mod file_format;
 mod fonts;
 mod marks;
+mod outline;
 mod pdf;
 mod png_file;
 mod raster;
 mod runs;
 mod setting_in_file;
 mod svg;
+mod system_faces;
 mod weight;
 
 pub use code_face::letter_code;

@@ -1,6 +1,6 @@
 //! A page as pixels.
 
-use ab_glyph::OutlineCurve;
+use ab_glyph::Point;
 use tiny_skia::{
     Color, FillRule, FilterQuality, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap,
     PixmapPaint, PixmapRef, Stroke, Transform,
@@ -8,6 +8,7 @@ use tiny_skia::{
 
 use crate::picture::page::fonts::FigureFonts;
 use crate::picture::page::marks::{Mark, Page};
+use crate::picture::page::outline::{OutlineSink, trace};
 use crate::picture::page::weight::Letter;
 use crate::render::Picture;
 
@@ -134,44 +135,54 @@ fn polyline(points: &[[f32; 2]], closed: bool) -> Option<Path> {
 fn letters(outlines: &[Letter], at: [f32; 2]) -> Option<Path> {
     let mut path = PathBuilder::new();
     for letter in outlines {
-        let place = |point: ab_glyph::Point| {
-            let x = at[0] + letter.x + point.x * letter.scale;
-            (x, at[1] - letter.y - point.y * letter.scale)
+        let mut sink = RasterPath {
+            path: &mut path,
+            letter,
+            at,
         };
-        let mut pen = None;
-        for curve in &letter.curves {
-            let (from, to) = match *curve {
-                OutlineCurve::Line(from, to)
-                | OutlineCurve::Quad(from, _, to)
-                | OutlineCurve::Cubic(from, _, _, to) => (from, to),
-            };
-            if pen != Some(from) {
-                if pen.is_some() {
-                    path.close();
-                }
-                let (x, y) = place(from);
-                path.move_to(x, y);
-            }
-            let (x, y) = place(to);
-            match *curve {
-                OutlineCurve::Line(..) => path.line_to(x, y),
-                OutlineCurve::Quad(_, by, _) => {
-                    let (bx, by) = place(by);
-                    path.quad_to(bx, by, x, y);
-                }
-                OutlineCurve::Cubic(_, first, second, _) => {
-                    let (ax, ay) = place(first);
-                    let (bx, by) = place(second);
-                    path.cubic_to(ax, ay, bx, by, x, y);
-                }
-            }
-            pen = Some(to);
-        }
-        if pen.is_some() {
-            path.close();
-        }
+        trace(&letter.curves, &mut sink);
     }
     path.finish()
+}
+
+/// A letter on its way into a path.
+struct RasterPath<'a> {
+    path: &'a mut PathBuilder,
+    letter: &'a Letter,
+    at: [f32; 2],
+}
+
+impl RasterPath<'_> {
+    fn place(&self, point: Point) -> [f32; 2] {
+        self.letter.place(self.at, point)
+    }
+}
+
+impl OutlineSink for RasterPath<'_> {
+    fn move_to(&mut self, to: Point) {
+        let [x, y] = self.place(to);
+        self.path.move_to(x, y);
+    }
+
+    fn line_to(&mut self, to: Point) {
+        let [x, y] = self.place(to);
+        self.path.line_to(x, y);
+    }
+
+    fn quad_to(&mut self, by: Point, to: Point) {
+        let ([bx, by], [x, y]) = (self.place(by), self.place(to));
+        self.path.quad_to(bx, by, x, y);
+    }
+
+    fn cubic_to(&mut self, _: Point, by: [Point; 2], to: Point) {
+        let [[ax, ay], [bx, by]] = by.map(|point| self.place(point));
+        let [x, y] = self.place(to);
+        self.path.cubic_to(ax, ay, bx, by, x, y);
+    }
+
+    fn close(&mut self) {
+        self.path.close();
+    }
 }
 
 /// Lays pixels down, each on one of the page's where they have its size.

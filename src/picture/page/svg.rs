@@ -3,12 +3,13 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use ab_glyph::OutlineCurve;
+use ab_glyph::Point;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use crate::picture::page::FigureSettings;
 use crate::picture::page::marks::{Mark, Page};
+use crate::picture::page::outline::{OutlineSink, trace};
 use crate::picture::page::png_file::{PngError, encoded_png};
 use crate::picture::page::raster::byte;
 use crate::picture::page::weight::{Letter, Weight};
@@ -190,35 +191,56 @@ fn path(points: &[[f32; 2]]) -> String {
 fn letters(outlines: &[Letter], at: [f32; 2]) -> String {
     let mut path = String::new();
     for letter in outlines {
-        let place = |point: ab_glyph::Point| {
-            let x = at[0] + letter.x + point.x * letter.scale;
-            let y = at[1] - letter.y - point.y * letter.scale;
-            format!("{} {}", short(x), short(y))
+        let mut sink = SvgPath {
+            path: &mut path,
+            letter,
+            at,
         };
-        let mut pen = None;
-        for curve in &letter.curves {
-            let (from, to) = match *curve {
-                OutlineCurve::Line(from, to)
-                | OutlineCurve::Quad(from, _, to)
-                | OutlineCurve::Cubic(from, _, _, to) => (from, to),
-            };
-            if pen != Some(from) {
-                path.push_str(if pen.is_some() { "ZM" } else { "M" });
-                path.push_str(&place(from));
-            }
-            let (sign, between) = match *curve {
-                OutlineCurve::Line(..) => ('L', String::new()),
-                OutlineCurve::Quad(_, by, _) => ('Q', place(by) + " "),
-                OutlineCurve::Cubic(_, a, b, _) => ('C', format!("{} {} ", place(a), place(b))),
-            };
-            put(&mut path, format_args!("{sign}{between}{}", place(to)));
-            pen = Some(to);
-        }
-        if pen.is_some() {
-            path.push('Z');
-        }
+        trace(&letter.curves, &mut sink);
     }
     path
+}
+
+/// A letter on its way into a path.
+struct SvgPath<'a> {
+    path: &'a mut String,
+    letter: &'a Letter,
+    at: [f32; 2],
+}
+
+impl SvgPath<'_> {
+    fn put(&mut self, sign: char, points: &[Point]) {
+        let places: Vec<String> = (points.iter())
+            .map(|&point| {
+                let [x, y] = self.letter.place(self.at, point).map(short);
+                format!("{x} {y}")
+            })
+            .collect();
+        self.path.push(sign);
+        self.path.push_str(&places.join(" "));
+    }
+}
+
+impl OutlineSink for SvgPath<'_> {
+    fn move_to(&mut self, to: Point) {
+        self.put('M', &[to]);
+    }
+
+    fn line_to(&mut self, to: Point) {
+        self.put('L', &[to]);
+    }
+
+    fn quad_to(&mut self, by: Point, to: Point) {
+        self.put('Q', &[by, to]);
+    }
+
+    fn cubic_to(&mut self, _: Point, [a, b]: [Point; 2], to: Point) {
+        self.put('C', &[a, b, to]);
+    }
+
+    fn close(&mut self) {
+        self.path.push('Z');
+    }
 }
 
 fn seen_through(attribute: &str, opacity: f32) -> String {

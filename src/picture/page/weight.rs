@@ -1,6 +1,6 @@
 //! The typeface of figures, Inter, in its weights; and the outline of a letter.
 
-use ab_glyph::OutlineCurve;
+use ab_glyph::{OutlineCurve, Point};
 
 /// Thickness of letters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -22,6 +22,14 @@ pub(super) struct Letter {
     pub(super) scale: f32,
     /// One closed curve after the other.
     pub(super) curves: Vec<OutlineCurve>,
+}
+
+impl Letter {
+    /// Where a point of the outline stands on a page whose base line begins at `start`.
+    pub(super) fn place(&self, start: [f32; 2], point: Point) -> [f32; 2] {
+        let x = start[0] + self.x + point.x * self.scale;
+        [x, start[1] - self.y - point.y * self.scale]
+    }
 }
 
 impl Weight {

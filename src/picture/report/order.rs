@@ -2,9 +2,9 @@
 
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
+use crate::analysis::embedding::PoseMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::engine::PoseMap;
 use crate::study::Study;
 
 /// What a report is made of.

@@ -86,7 +86,7 @@ fn opengl_takes_damaged_and_many_scenes_without_complaint() {
                 values: vec![vec![1.0; scene.surfaces[0].geometry.positions[0].len()]],
             }),
             map: Arc::new([[255, 0, 0], [0, 0, 255]]),
-            limits: ColourLimits {
+            limits: ColourRange {
                 low: 0.0,
                 high: 1.0,
                 logarithmic: false,

@@ -25,7 +25,7 @@ fn numbered(value: f32, logarithmic: bool) -> Surface {
                 values: vec![vec![value; 4]],
             }),
             map: Arc::new([[255, 0, 0], [0, 255, 0], [0, 0, 255]]),
-            limits: ColourLimits {
+            limits: ColourRange {
                 low: 1.0,
                 high: 100.0,
                 logarithmic,

@@ -133,6 +133,7 @@ impl Row for VerdictRow {
         of_feature!("sphericity_es", SphericityEs),
         of_feature!("inward_sd", InwardSpread),
         of_feature!("inward_p10", InwardTenth),
+        // The key is older than the word; elsewhere a kind is one of metrics or meshes.
         column("kind", "Most probable label", |row: &Self| {
             row.kind.as_deref().into()
         })

@@ -53,6 +53,7 @@ impl BeatTiming {
 
     /// Ejection, early filling, a slow rest (diastasis) and the atrial wave.
     fn contraction(&self, phase: f64) -> f64 {
+        // A little, so that the volume never stands still; chosen, not measured.
         const DIASTASIS_SHARE: f64 = 0.05;
         let early_ends = self.filling_begins + self.early_filling;
         let ejected = ramp(phase, self.ejection_begins, self.end_systole);

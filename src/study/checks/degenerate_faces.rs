@@ -1,5 +1,6 @@
 //! Are there triangles of zero area?
 
+use super::frame_counts::FrameCounts;
 use super::words::{about, counted};
 use crate::mesh::{Point3, TriMesh};
 use crate::study::{Notice, SurfaceSequence};
@@ -23,13 +24,9 @@ pub struct DegenerateFaces {
 impl DegenerateFaces {
     /// Counts at each frame.
     pub fn of(surface: &SurfaceSequence) -> Self {
-        let counts: Vec<usize> = surface.frames().iter().map(flat_triangles).collect();
-        Self {
-            frames: (0..counts.len())
-                .filter(|&frame| counts[frame] > 0)
-                .collect(),
-            most: counts.into_iter().max().unwrap_or(0),
-        }
+        let FrameCounts { frames, most } =
+            FrameCounts::of(surface.frames().iter().map(flat_triangles));
+        Self { frames, most }
     }
 
     /// What the load report says, if there are any.

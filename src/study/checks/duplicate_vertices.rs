@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use super::frame_counts::FrameCounts;
 use super::words::{about, counted};
 use crate::mesh::TriMesh;
 use crate::study::{Notice, Severity, SurfaceSequence};
@@ -25,13 +26,11 @@ impl DuplicateVertices {
     pub fn of(surface: &SurfaceSequence) -> Self {
         let on_rim = surface.faces().boundary_vertices();
         let found: Vec<Vec<usize>> = surface.frames().iter().map(coinciding).collect();
-        let counts: Vec<usize> = found.iter().map(Vec::len).collect();
+        let FrameCounts { frames, most } = FrameCounts::of(found.iter().map(Vec::len));
         Self {
+            frames,
+            most,
             only_on_rims: found.iter().flatten().all(|&vertex| on_rim[vertex]),
-            frames: (0..counts.len())
-                .filter(|&frame| counts[frame] > 0)
-                .collect(),
-            most: counts.into_iter().max().unwrap_or(0),
         }
     }
 

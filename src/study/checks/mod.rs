@@ -13,6 +13,7 @@ mod degenerate_faces;
 mod duplicate_vertices;
 mod enclosed_volume;
 mod face_listing;
+mod frame_counts;
 mod inside;
 mod landmarks;
 mod manifold;

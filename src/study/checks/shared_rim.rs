@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::words::counted;
 use crate::mesh::TriMesh;
-use crate::study::{MeshSequence, Notice, SurfaceKind};
+use crate::study::{MeshSequence, Notice};
 
 /// Vertices of the epicardium that lie exactly on vertices of the endocardium.
 ///
@@ -19,10 +19,7 @@ pub struct SharedRim {
 impl SharedRim {
     /// Counts at each frame, where there are both surfaces.
     pub fn of(sequence: &MeshSequence) -> Self {
-        let (Some(endo), Some(epi)) = (
-            sequence.surface(SurfaceKind::Endocardium),
-            sequence.surface(SurfaceKind::Epicardium),
-        ) else {
+        let Some([endo, epi]) = sequence.wall_pair() else {
             return Self::default();
         };
         let vertices = endo
@@ -60,7 +57,7 @@ fn shared(inner: &TriMesh, outer: &TriMesh) -> usize {
 mod tests {
     use super::*;
     use crate::mesh::phantom;
-    use crate::study::SurfaceSequence;
+    use crate::study::{SurfaceKind, SurfaceSequence};
 
     #[test]
     fn sheets_with_a_common_rim_are_told_with_its_size() {

@@ -2,7 +2,7 @@
 
 use super::enclosed_volume::enclosed_volume;
 use super::words::frames_phrase;
-use crate::study::{MeshSequence, Notice, SurfaceKind, SurfaceSequence};
+use crate::study::{MeshSequence, Notice, SurfaceSequence};
 
 /// Frames in which the inner surface encloses at least as much as the outer one.
 ///
@@ -17,10 +17,7 @@ pub struct WallOrder {
 impl WallOrder {
     /// Compares enclosed volumes, where there are both surfaces.
     pub fn of(sequence: &MeshSequence) -> Self {
-        let (Some(endo), Some(epi)) = (
-            sequence.surface(SurfaceKind::Endocardium),
-            sequence.surface(SurfaceKind::Epicardium),
-        ) else {
+        let Some([endo, epi]) = sequence.wall_pair() else {
             return Self::default();
         };
         let swapped = volumes(endo)
@@ -60,6 +57,7 @@ fn volumes(surface: &SurfaceSequence) -> impl Iterator<Item = f64> {
 mod tests {
     use super::*;
     use crate::mesh::phantom;
+    use crate::study::SurfaceKind;
 
     fn heart(endo_radius: f64, epi_radius: f64) -> MeshSequence {
         let sheet =

@@ -45,7 +45,7 @@ fn arranged_window() -> Harness<'static, App> {
             cardiomorph::picture::AnatomicalView::Lateral,
         )),
         Command::Wall(WallCommand::SelectPart(Some(WallPart::Patch(0)))),
-        Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Ratio)),
+        Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::ThicknessRatio)),
     ] {
         give(&mut harness, command);
     }

@@ -56,7 +56,7 @@ fn keys_show_and_hide_atoms_and_patches_and_step_the_quantities() {
     harness.key_press(Key::B);
     harness.run_steps(2);
     let document = &harness.state().state().document;
-    assert_eq!(document.bulls_eye, BullsEyeQuantity::Ratio);
+    assert_eq!(document.bulls_eye, BullsEyeQuantity::ThicknessRatio);
     for _ in 0..3 {
         harness.key_press(Key::C);
         harness.run_steps(2);

@@ -1,7 +1,7 @@
 //! Estimated poses: at a pose that pose, between two of one beat between them, and nothing far outside.
 
 use super::*;
-use crate::analysis::embedding::InverseMapError;
+use crate::analysis::embedding::{InverseMapError, PoseMap};
 
 fn estimate(store: &Store, study: &Arc<Study>, at: [f64; 2]) -> Result<EstimatedPose, NoEstimate> {
     let map = PoseMapQuery::default();

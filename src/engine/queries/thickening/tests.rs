@@ -1,6 +1,10 @@
 //! What of a heart's answer is found again, what an edit leaves of it, and what it does to other answers.
 
+use std::sync::Arc;
+
 use super::*;
+use crate::analysis::medial::{MedialBeat, MedialParams};
+use crate::analysis::segments::{polar, segment};
 use crate::engine::queries::tests::{ask, edited, is_stopped, refusal, store};
 use crate::engine::store::{Store, StoreOptions};
 use crate::study::built_in::{BuiltInParams, cohort};

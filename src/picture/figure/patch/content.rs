@@ -1,8 +1,9 @@
 //! The content of a patch figure: numbers and words, ready for the layout.
 
 use crate::analysis::thickening::Patch;
-use crate::analysis::verdicts::{ClassifierSource, Finding, NotAssessed, Verdicts};
-use crate::engine::{SubjectThickening, thickening_words};
+use crate::analysis::verdicts::{
+    ClassifierSource, Finding, NotAssessed, SubjectThickening, Verdicts,
+};
 use crate::picture::bulls_eye::{BullsEyeScale, PolarMap};
 use crate::picture::figure::content::FigureContent;
 use crate::picture::figure::patch::bulls_eye::BullsEyeContent;
@@ -13,7 +14,7 @@ use crate::picture::patch_words::{
     wall_thickening_words,
 };
 use crate::picture::quantity::Quantity;
-use crate::report::{Column, PatchRow};
+use crate::report::{Column, PatchRow, thickening_words};
 use crate::study::Subject;
 
 /// Patches in the table; more are counted below it.
@@ -101,18 +102,17 @@ fn evidence(verdicts: &Verdicts, probability: f64) -> String {
 }
 
 /// The columns of numbers in the table.
-pub const PATCH_COLUMNS: [Column<PatchRow>; 4] = [
-    PatchRow::AREA_CM2,
-    PatchRow::SHARE,
-    PatchRow::THICKNESS_RATIO,
-    PatchRow::STABILITY,
-];
+pub const PATCH_COLUMNS: [Column<PatchRow>; PatchRow::IN_FIGURE.len()] = PatchRow::IN_FIGURE;
+/// Their widths in the design, in points.
+pub(super) const COLUMN_WIDTHS: [f32; PATCH_COLUMNS.len()] = [130.0, 110.0, 100.0, 160.0];
+/// Width of the column before them, that of the patch's number, in the design.
+pub(super) const NUMBER_WIDTH: f32 = 60.0;
 
 /// One patch in the table.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PatchLine {
+pub struct FigurePatchLine {
     /// Its numbers with units, by [`PATCH_COLUMNS`].
-    pub cells: [String; 4],
+    pub cells: [String; PATCH_COLUMNS.len()],
     /// Where it lies.
     pub segments: String,
 }
@@ -129,7 +129,7 @@ pub struct PatchContent {
     /// The bull's-eye beside the heart.
     pub bulls_eye: BullsEyeContent,
     /// Patches, largest first.
-    pub rows: Vec<PatchLine>,
+    pub rows: Vec<FigurePatchLine>,
     /// A sentence in place of rows, or below them.
     pub note: String,
     /// How it was made.
@@ -148,7 +148,7 @@ impl PatchContent {
             _ => None,
         };
         let subject = figure.shown.subject;
-        let scale = BullsEyeScale::of(quantity, &scene.cohort_limits, typed, subject.unit);
+        let scale = BullsEyeScale::of(quantity, &scene.cohort_ranges, typed, subject.unit);
         let thickening = &wall.thickening;
         let assessed = wall.not_assessed.is_none();
         let flat = PolarMap::of(wall).map(|mut flat| {
@@ -158,7 +158,7 @@ impl PatchContent {
             }
             (flat, values)
         });
-        let rows: Vec<PatchLine> = (thickening.patches.iter())
+        let rows: Vec<FigurePatchLine> = (thickening.patches.iter())
             .filter(|_| assessed)
             .enumerate()
             .take(MAX_ROWS)
@@ -211,14 +211,19 @@ fn sentences(parts: &[String]) -> String {
     present.join(". ")
 }
 
-fn line(wall: &SubjectThickening, subject: &Subject, index: usize, patch: &Patch) -> PatchLine {
+fn line(
+    wall: &SubjectThickening,
+    subject: &Subject,
+    index: usize,
+    patch: &Patch,
+) -> FigurePatchLine {
     let segments = match (patch.segments.is_empty(), &wall.without_axis) {
         (false, _) => segment_words(patch),
         (true, Some(why)) => why.clone(),
         (true, None) => NO_SEGMENTS.to_owned(),
     };
     let row = PatchRow::new(&subject.id, subject.unit, index, patch);
-    PatchLine {
+    FigurePatchLine {
         cells: PATCH_COLUMNS
             .each_ref()
             .map(|column| column.shown_with_unit(&row, subject.unit)),

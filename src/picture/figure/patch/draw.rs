@@ -138,18 +138,15 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
     let plain = pen.regular(theme.text);
     // Numbers end where the next column would begin.
     let gap = 0.9 * pen.text;
-    let place = |column: usize| match column {
-        0 | 5 => (Anchor::Start, columns[column]),
-        _ => (Anchor::End, columns[column + 1] - gap),
-    };
+    let cells = columns.cells.map(|right| right - gap);
     if !content.rows.is_empty() {
-        let heads = std::iter::once(content.standing.part())
-            .chain(PATCH_COLUMNS.iter().map(|column| column.heading))
-            .chain(["Segments"]);
-        for (column, head) in heads.enumerate() {
-            let (anchor, x) = place(column);
-            pen.write(head, muted, anchor, [x, base]);
+        let part = content.standing.part();
+        pen.write(part, muted, Anchor::Start, [columns.number, base]);
+        for (column, x) in PATCH_COLUMNS.iter().zip(cells) {
+            pen.write(column.heading, muted, Anchor::End, [x, base]);
         }
+        let at = [columns.segments, base];
+        pen.write("Segments", muted, Anchor::Start, at);
         let below = base + 0.35 * line;
         let ends = [[margin, below], [frame.size[0] as f32 - margin, below]];
         pen.page
@@ -165,13 +162,12 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
         };
         let number = pen.strong(colour, pen.text);
         let name = (index + 1).to_string();
-        pen.write(&name, number, Anchor::Start, [columns[0], base]);
-        for (column, cell) in row.cells.iter().enumerate() {
-            let (anchor, x) = place(column + 1);
-            pen.write(cell, plain, anchor, [x, base]);
+        pen.write(&name, number, Anchor::Start, [columns.number, base]);
+        for (cell, x) in row.cells.iter().zip(cells) {
+            pen.write(cell, plain, Anchor::End, [x, base]);
         }
         for (step, words) in segments.iter().enumerate() {
-            let at = [columns[5], base + step as f32 * line];
+            let at = [columns.segments, base + step as f32 * line];
             pen.write(words, plain, Anchor::Start, at);
         }
         base += line * segments.len().max(1) as f32;

@@ -1,6 +1,8 @@
 //! Where the blocks of a patch figure stand, by its size and by what it says.
 
-use crate::picture::figure::patch::content::PatchContent;
+use crate::picture::figure::patch::content::{
+    COLUMN_WIDTHS, NUMBER_WIDTH, PATCH_COLUMNS, PatchContent,
+};
 use crate::picture::figure::plan::{bar_headings, bars_height};
 use crate::picture::page::{FigureFonts, Weight};
 
@@ -10,6 +12,32 @@ const DESIGN: [f32; 2] = [1600.0, 1200.0];
 const MIN_SCALE: f32 = 0.5;
 /// Share of the width that the heart has.
 const HEART_SHARE: f32 = 0.56;
+
+/// Where the columns of the table stand, in pixels from the left edge of the figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TableColumns {
+    /// Left edge of the patch's number.
+    pub number: f32,
+    /// Right edges of the numbers of a patch.
+    pub cells: [f32; PATCH_COLUMNS.len()],
+    /// Left edge of the segments.
+    pub segments: f32,
+}
+
+impl TableColumns {
+    fn new(margin: f32, scale: f32) -> Self {
+        let mut offset = NUMBER_WIDTH;
+        let cells = COLUMN_WIDTHS.map(|width| {
+            offset += width;
+            margin + offset * scale
+        });
+        Self {
+            number: margin,
+            cells,
+            segments: margin + offset * scale,
+        }
+    }
+}
 
 /// Sizes of one patch figure in pixels, and the place left for the heart.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +58,8 @@ pub struct PatchFrame {
     pub(super) headings: Vec<Vec<String>>,
     pub(super) segments: Vec<Vec<String>>,
     pub(super) imprint: Vec<String>,
-    /// Left edges of the table's columns, and of the words after them.
-    pub(super) columns: [f32; 6],
+    /// Where the columns of the table stand.
+    pub(super) columns: TableColumns,
     /// Base line of the heading of the table.
     pub(super) table_top: f32,
     /// Lower edge of what explains heart and bull's-eye.
@@ -58,10 +86,9 @@ impl PatchFrame {
         };
         let bar_width = (360.0 * scale).min(0.6 * heart_width);
         let headings = bar_headings(&content.heart.legends, fonts, text, 1.1 * bar_width);
-        let step = |index: usize| margin + [0.0, 60.0, 190.0, 300.0, 400.0, 560.0][index] * scale;
-        let columns: [f32; 6] = std::array::from_fn(step);
+        let columns = TableColumns::new(margin, scale);
         let segments: Vec<Vec<String>> = (content.rows.iter())
-            .map(|row| wrapped(&row.segments, width - margin - columns[5]))
+            .map(|row| wrapped(&row.segments, width - margin - columns.segments))
             .collect();
         let imprint = [
             fonts.wrapped(&content.parameters, Weight::Regular, 0.87 * text, room),

@@ -1,7 +1,6 @@
 //! What a patch figure is made from.
 
-use crate::analysis::verdicts::Verdicts;
-use crate::engine::SubjectThickening;
+use crate::analysis::verdicts::{SubjectThickening, Verdicts};
 use crate::picture::figure::make::FigureOrder;
 use crate::picture::patch_words::PatchStanding;
 

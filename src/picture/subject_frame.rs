@@ -1,4 +1,4 @@
-//! Where a heart lies in the world, and cameras told in its own axes, so that one look fits every heart.
+//! Where a subject lies in the world, and cameras told in its own axes, so that one look fits every subject.
 
 use glam::{Quat, Vec3};
 
@@ -6,7 +6,7 @@ use crate::picture::axes::{AnatomicalView, SubjectAxes};
 use crate::picture::prepared::PreparedSubject;
 use crate::render::Camera;
 
-/// Where a heart lies in the world.
+/// Where a subject lies in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SubjectFrame {
     /// Middle of the box around all poses.

@@ -28,9 +28,13 @@ pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
 /// Share of the least area of a patch that its core must have, so that one atom in noise makes none.
 pub(super) const CORE_AREA: f64 = 0.5;
 
-/// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `extent` of what
-/// remote myocardium does, with the least area together, half of which thickens by less than `core` of it and
-/// less than `akinetic`. A part may reach the edge at which the wall was cut, but most of it lies away from there. By falling area.
+/// Share of a patch's area that must lie away from the edge at which the wall was cut: atoms there are fitted to a surface that ends
+/// beside them. "Most of it", not tuned.
+const MIN_INNER_SHARE: f64 = 0.5;
+
+/// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `extent_threshold` of what
+/// remote myocardium does, with the least area together, half of which thickens by less than `core_threshold` of it and
+/// less than `akinetic_threshold`. A part may reach the edge at which the wall was cut, but most of it lies away from there. By falling area.
 pub(super) fn akinetic_regions(
     thickening: &[f64],
     remote: f64,
@@ -60,11 +64,13 @@ pub(super) fn akinetic_regions(
     let least = min_share * mesh.whole;
     let mut parts: Vec<(f64, Vec<u32>)> = (neighbours.parts(&inside).into_iter())
         .filter(|part| {
-            let still = area_of(part, &|atom| thickening[atom] <= core);
-            still >= (CORE_AREA * least).max(f64::MIN_POSITIVE)
+            let core_area = area_of(part, &|atom| thickening[atom] <= core);
+            core_area >= (CORE_AREA * least).max(f64::MIN_POSITIVE)
         })
         .map(|part| (area_of(&part, &|_| true), part))
-        .filter(|(area, part)| *area >= least && area_of(part, &|atom| !at_edge[atom]) > 0.5 * area)
+        .filter(|(area, part)| {
+            *area >= least && area_of(part, &|atom| !at_edge[atom]) > MIN_INNER_SHARE * area
+        })
         .collect();
     // Largest first: features and the report speak of the first patch.
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));

@@ -1,113 +1,12 @@
-//! The wall of each subject as tables: its atoms over the beat, and its patches.
-//!
-//! Rows are made of one subject after the other, so that a cohort never is in memory as a whole.
+//! The patches of each subject's wall: the columns of `patches.csv`, and which of them pane, figure and summary show.
 
-use std::sync::Arc;
-
+use super::assessed_wall::AssessedWall;
 use super::column::{Cell, Column, Digits, Unit, column};
 use super::shared;
 use super::table::Row;
-use crate::analysis::medial::MedialBeat;
-use crate::analysis::segments::{LongAxis, Segment};
-use crate::analysis::thickening::{Patch, PatchSegment, Thickening};
+use crate::analysis::thickening::{Patch, PatchSegment};
 use crate::mesh::Point3;
 use crate::units::LengthUnit;
-
-/// One subject whose wall is assessed.
-#[derive(Clone, Copy, Debug)]
-pub struct AssessedWall<'a> {
-    /// Its pseudonym.
-    pub subject: &'a str,
-    /// What one unit of its coordinates is.
-    pub unit: LengthUnit,
-    /// Its atoms over the beat.
-    pub beat: &'a MedialBeat,
-    /// How they thicken.
-    pub thickening: &'a Thickening,
-    /// Its long axis at end-diastole, where it is known.
-    pub axis: Option<&'a LongAxis>,
-    /// Per atom, its segment at end-diastole.
-    pub segments: &'a [Option<Segment>],
-}
-
-/// One atom of one frame.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct AtomRow {
-    /// Pseudonym.
-    pub subject: Arc<str>,
-    /// From 0.
-    pub frame: usize,
-    /// Vertex of the endocardium or of the inner side of a wall.
-    pub vertex: u32,
-    /// Centre of its sphere in coordinates.
-    pub position: Point3,
-    /// Radius of its sphere in coordinates.
-    pub radius: f64,
-    /// Radius over that at end-diastole.
-    pub thickness_ratio: f64,
-    /// Whether it takes part: it never lies where the medial surface ends.
-    pub regular: bool,
-    /// Number of its patch, from 0.
-    pub patch: Option<usize>,
-}
-
-impl AtomRow {
-    /// All atoms of one frame.
-    pub fn of_frame(wall: &AssessedWall<'_>, frame: usize) -> Vec<Self> {
-        let (beat, found) = (wall.beat, wall.thickening);
-        let mut patch_of: Vec<Option<usize>> = vec![None; beat.vertices.len()];
-        for (number, patch) in found.patches.iter().enumerate() {
-            for &atom in &patch.atoms {
-                patch_of[atom as usize] = Some(number);
-            }
-        }
-        let end_diastole = &beat.frames[found.end_diastole].atoms;
-        // Shared: a name of its own for each of half a million atoms takes longer than its numbers.
-        let subject: Arc<str> = wall.subject.into();
-        let atoms = beat.frames[frame].atoms.iter().enumerate();
-        atoms
-            .map(|(place, atom)| Self {
-                subject: Arc::clone(&subject),
-                frame,
-                vertex: beat.vertices[place],
-                position: atom.position,
-                radius: atom.radius,
-                thickness_ratio: atom.thickness_ratio(&end_diastole[place]),
-                regular: beat.regular[place],
-                patch: patch_of[place],
-            })
-            .collect()
-    }
-}
-
-impl Row for AtomRow {
-    const FILES: &'static [&'static str] = &["atoms.csv"];
-    const ROW: &'static str =
-        "Atoms of the medial surface, a row per vertex of the endocardium and frame";
-    const COLUMNS: &'static [Column<Self>] = &[
-        shared::subject(|row| (&*row.subject).into()),
-        shared::frame(|row| row.frame.into()),
-        column("vertex", "Vertex", |row: &Self| row.vertex.into())
-            .plain("Vertex of the endocardium, numbered from 0"),
-        shared::centre_x(|row| row.position.x.into()),
-        shared::centre_y(|row| row.position.y.into()),
-        shared::centre_z(|row| row.position.z.into()),
-        shared::radius(|row| row.radius.into()),
-        column("pt", "Thickness ratio PT", |row: &Self| {
-            row.thickness_ratio.into()
-        })
-        .plain("Thickness ratio PT: radius relative to end-diastole")
-        .in_unit("×"),
-        column("in_patch", "In patch", |row: &Self| {
-            row.patch.is_some().into()
-        })
-        .plain("1 if the atom lies in a patch, else 0"),
-        column("regular", "Regular", |row: &Self| row.regular.into())
-            .plain("1 if the atom is used; 0 if the medial surface ends there in any frame"),
-        column("patch", "Patch", |row: &Self| row.patch.into())
-            .plain("Number of the patch as in patches.csv; empty outside patches"),
-    ];
-}
 
 /// One patch.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -174,6 +73,28 @@ impl PatchRow {
         )
         .or_short("thick.");
 
+    /// What the table of the patch pane shows, in its order. What has no room in a narrow pane comes last.
+    pub const IN_PANE: [Column<Self>; 4] = [
+        Self::AREA_CM2,
+        Self::SHARE,
+        Self::THICKENING,
+        Self::STABILITY,
+    ];
+    /// What the table of a patch figure shows, in its order; the widths stand in `picture/figure/patch/content.rs`.
+    pub const IN_FIGURE: [Column<Self>; 4] = [
+        Self::AREA_CM2,
+        Self::SHARE,
+        Self::THICKNESS_RATIO,
+        Self::STABILITY,
+    ];
+    /// The numbers of a patch in the summary of an analysis.
+    pub(super) const IN_SUMMARY: [Column<Self>; 4] = [
+        Self::AREA_CM2,
+        Self::SHARE,
+        Self::STABILITY,
+        Self::THICKNESS_RATIO,
+    ];
+
     /// All patches of one wall, by falling area.
     pub fn of_wall(wall: &AssessedWall<'_>) -> Vec<Self> {
         let patches = wall.thickening.patches.iter().enumerate();
@@ -191,7 +112,7 @@ impl PatchRow {
             share: patch.share,
             segments: patch.segments.clone(),
             centroid: patch.centroid,
-            stability: patch.confidence,
+            stability: patch.stability,
             area: patch.area * unit.area_from_square(),
             unit,
             atoms: patch.atoms.len(),
@@ -243,6 +164,3 @@ impl Row for PatchRow {
         Self::THICKENING,
     ];
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,4 +1,5 @@
-//! Angles at the corners of triangles and what they lack of a full turn.
+//! Angles at the corners of triangles and what they lack of a full turn: curvature gathered at a vertex, which the
+//! quasi-conformal metric makes a density of (`analysis/metrics/compared_curvature.rs`).
 
 use std::f64::consts::{PI, TAU};
 

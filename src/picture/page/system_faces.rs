@@ -8,7 +8,7 @@ use rustybuzz::ttf_parser::{Face, OutlineBuilder};
 
 /// A typeface that was found on this machine, held for the rest of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SystemFace {
+pub(super) struct SystemFace {
     /// The file, which may hold several faces.
     pub bytes: &'static [u8],
     /// Which of them.
@@ -33,7 +33,7 @@ static FACES: LazyLock<Mutex<SystemFaces>> =
 ///
 /// The same machine gives the same answer. The first call reads the lists of the system's font folders, so the window's
 /// thread must not call this.
-pub fn system_face(letter: char) -> Option<SystemFace> {
+pub(super) fn system_face(letter: char) -> Option<SystemFace> {
     let mut faces = FACES.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(known) = faces.answers.get(&letter) {
         return *known;

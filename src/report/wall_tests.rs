@@ -4,14 +4,18 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::*;
-use crate::analysis::medial::{Atom, MedialSurface};
-use crate::analysis::thickening::{Patch, PatchSegment, TemporalConsistency, WallThickening};
+use super::wall_json::wall_json;
+use super::{AssessedWall, AtomRow, PatchRow};
+use crate::analysis::medial::{Atom, MedialBeat, MedialSurface};
+use crate::analysis::segments::{LongAxis, Segment};
+use crate::analysis::thickening::{
+    Patch, PatchSegment, TemporalConsistency, Thickening, WallThickening,
+};
 use crate::mesh::{Faces, Point3};
 use crate::report::SegmentRow;
-use crate::report::wall_json::wall_json;
 use crate::report::{csv, csv_header, csv_rows};
 use crate::study::SurfaceKind;
+use crate::units::LengthUnit;
 
 /// Four atoms on a square of 10 × 10 in two frames; the left pair stays 4 and 6 thick, the others become half as
 /// thick again. Atom 3 is the 7th vertex of its surface.
@@ -72,7 +76,7 @@ fn found(unit: LengthUnit) -> Thickening {
             centroid: Point3::new(-1.0, 5.0, 0.25),
             border: Vec::new(),
             thickening: 0.25,
-            confidence: 0.98,
+            stability: 0.98,
             path: Vec::new(),
             temporal_consistency: TemporalConsistency::default(),
         }],

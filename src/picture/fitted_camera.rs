@@ -5,7 +5,7 @@ use crate::render::{Camera, GeometryPose};
 use super::prepared::PreparedSubject;
 
 impl PreparedSubject {
-    /// The first picture of this heart: all frames in view, base up, a little from above.
+    /// The first picture of this subject: all frames in view, base up, a little from above.
     pub fn home_camera(&self, aspect: f32) -> Camera {
         self.camera_from(self.axes.home(), aspect)
     }

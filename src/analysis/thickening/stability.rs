@@ -1,22 +1,26 @@
-//! How surely a patch is there: how often it is detected again when the noise is drawn anew.
+//! Detection stability of a patch: how often it is detected again when the noise is drawn anew.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::progress::{Progress, Stopped};
 
-use super::averaged::Averaged;
+use super::akinetic_regions::{REMOTE_QUANTILE, akinetic_regions, area_quantile};
+use super::averaged_thickening::AveragedThickening;
 use super::diffusion::RegularMesh;
 use super::params::CheckedThickeningParams;
-use super::regions::{REMOTE_QUANTILE, akinetic_regions, area_quantile};
 use super::surface::Surface;
 
-/// Share of redraws in which at least half of each part's area lies in a part again.
+/// Share of a patch's area that must lie in patches of a redraw, for it to be detected again: a patch that moves at its outline is
+/// the same patch, and one that shares less with another than with what is around it is not.
+const SAME_PATCH_SHARE: f64 = 0.5;
+
+/// Share of redraws in which each part is detected again.
 ///
 /// A redraw adds noise of the same standard deviation and extent over the surface as that of averaged
 /// thickening: independent numbers per atom, averaged alike and scaled.
-pub(super) fn confidences(
-    estimate: &Averaged,
+pub(super) fn stabilities(
+    estimate: &AveragedThickening,
     surface: &Surface,
     parts: &[Vec<u32>],
     params: &CheckedThickeningParams,
@@ -48,8 +52,8 @@ pub(super) fn confidences(
                     .map(|atom| mesh.areas[atom])
                     .sum()
             };
-            // Half of the area: a patch that moves at its outline is the same patch.
-            *found += u32::from(2.0 * area(&|atom| again[atom]) >= area(&|_| true));
+            let kept = area(&|atom| again[atom]);
+            *found += u32::from(kept >= SAME_PATCH_SHARE * area(&|_| true));
         }
     }
     let redraws = f64::from(params.redraws);
@@ -59,7 +63,7 @@ pub(super) fn confidences(
         .collect())
 }
 
-fn redrawn(estimate: &Averaged, mesh: &RegularMesh, random: &mut ChaCha8Rng) -> Vec<f64> {
+fn redrawn(estimate: &AveragedThickening, mesh: &RegularMesh, random: &mut ChaCha8Rng) -> Vec<f64> {
     let areas = &mesh.areas;
     // Sums of three uniform numbers: near enough to normal, since averaging sums them again.
     let mut field: Vec<f64> = (0..areas.len())

@@ -1,4 +1,5 @@
-//! The curvature that the quasi-conformal metric compares, and its rate along a field.
+//! The curvature that the quasi-conformal metric compares, and its rate along a field: Gaussian curvature as
+//! a density of angle deficits (`mesh/angle_deficit.rs`), relative to the size of the surface.
 
 use std::f64::consts::PI;
 

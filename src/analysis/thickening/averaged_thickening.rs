@@ -1,11 +1,11 @@
 //! Thickening averaged over neighbourhoods, and the noise that this leaves.
 
+use super::akinetic_regions::{REMOTE_QUANTILE, area_quantile};
 use super::curve::{ThickeningCurve, averaged};
 use super::diffusion::Diffusion;
 use super::error::ThickeningError;
 use super::noise::{MIN_POSES, noise_of};
 use super::params::CheckedThickeningParams;
-use super::regions::{REMOTE_QUANTILE, area_quantile};
 use super::surface::Surface;
 
 /// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above [`MAX_NOISE`].
@@ -28,7 +28,7 @@ fn min_share(poses: usize, params: &CheckedThickeningParams) -> f64 {
 }
 
 /// Thickening averaged over neighbourhoods that are as large as noise asks for.
-pub(super) struct Averaged {
+pub(super) struct AveragedThickening {
     /// Per atom, ln PT from end-diastole to end-systole.
     pub thickening: Vec<f64>,
     /// Share of the area averaged over.
@@ -44,7 +44,7 @@ pub(super) struct Averaged {
     pub min_share: f64,
 }
 
-impl Averaged {
+impl AveragedThickening {
     /// From centred ln r, one column per pose.
     pub fn new(
         columns: &[Vec<f64>],
