@@ -3,6 +3,7 @@
 pub mod alignment;
 pub mod classification;
 pub mod correspondence;
+pub mod curvature;
 pub mod deformations;
 pub mod embedding;
 pub mod experiments;

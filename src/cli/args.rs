@@ -7,9 +7,11 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
 use crate::analysis::verdicts::Feature;
+use crate::cli::curvature::CurvatureArgs;
 use crate::cli::experiment_args::ExperimentCommand;
 use crate::cli::figure_args::FigureArgs;
 use crate::cli::image::ImageArgs;
+use crate::cli::info::InfoArgs;
 use crate::cli::limit_options::LimitOptions;
 use crate::cli::map_options::MapOptions;
 use crate::cli::medial::MedialArgs;
@@ -68,6 +70,8 @@ pub enum Command {
     Measure(MeasureArgs),
     /// Fits medial spheres into a wall: centre, radius, spokes, normal
     Medial(MedialArgs),
+    /// Measures how a surface bends at each vertex: principal, Gaussian and mean curvature, shape index
+    Curvature(CurvatureArgs),
     /// Computes one distance between two meshes in correspondence
     Metric(MetricArgs),
     /// Computes interpolated (geodesic) poses between two meshes in correspondence
@@ -111,17 +115,6 @@ pub struct DemoArgs {
     /// Format of the meshes
     #[arg(long, value_parser = mesh_format(), default_value = "ply")]
     pub format: MeshFormat,
-    /// Print one JSON object
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Options of `info`.
-#[derive(Debug, Args)]
-pub struct InfoArgs {
-    /// Studies, folders and files
-    #[arg(value_name = "PATH", required = true)]
-    pub paths: Vec<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

@@ -1,13 +1,26 @@
 //! `info`: the subjects of a study, with notes on their files.
 
+use std::path::PathBuf;
+
+use clap::Args;
 use serde_json::json;
 
-use crate::cli::args::InfoArgs;
 use crate::cli::input::{nothing_found, opened, without_walls};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{on_one_line, print, print_json};
 use crate::io::Opened;
 use crate::study::{Notice, Severity, Subject};
+
+/// Options of `info`.
+#[derive(Debug, Args)]
+pub struct InfoArgs {
+    /// Studies, folders and files
+    #[arg(value_name = "PATH", required = true)]
+    pub paths: Vec<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
 
 pub(super) fn info(args: &InfoArgs) -> Result<(), CliError> {
     let opened = opened(&args.paths)?;

@@ -48,7 +48,7 @@ pub(super) fn opened_study(paths: &[PathBuf]) -> Result<Arc<Study>, CliError> {
     Ok(Arc::new(opened.study))
 }
 
-/// Images that gave no walls; their notices say what they need.
+/// Images that gave no walls; their notes say what they need.
 pub(super) fn without_walls(opened: &Opened) -> impl Iterator<Item = &OpenedImages> {
     opened.images.iter().filter(|images| images.made.is_none())
 }

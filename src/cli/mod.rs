@@ -4,6 +4,7 @@ mod analyze;
 mod analyze_pictures;
 mod args;
 mod corresponding;
+mod curvature;
 mod demo;
 mod embed;
 mod experiment;

@@ -7,8 +7,8 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::{print, say};
 use crate::cli::work::hear_ctrl_c;
 use crate::cli::{
-    analyze, demo, embed, experiment, figure, image, info, interpolate, learn, measure, medial,
-    mesh, metric, register, transfer,
+    analyze, curvature, demo, embed, experiment, figure, image, info, interpolate, learn, measure,
+    medial, mesh, metric, register, transfer,
 };
 use crate::report::all_columns_md;
 
@@ -24,6 +24,7 @@ pub fn run(command: Command) -> ExitCode {
         Command::Measure(args) => measure::measure(&args),
         Command::Mesh(args) => mesh::mesh(&args),
         Command::Medial(args) => medial::medial(&args),
+        Command::Curvature(args) => curvature::curvature(&args),
         Command::Metric(args) => metric::metric(&args),
         Command::Interpolate(args) => interpolate::interpolate(&args),
         Command::Register(args) => register::register(&args),

@@ -36,9 +36,10 @@ pub(crate) mod visibility;
 pub(crate) mod visible_poses;
 
 pub use {
-    answers::*, cohort_sort::*, differences::*, document::*, editing::*, error_card::*,
-    images::*, import::*,
-    interpolated_poses::*, loop_range::*, path_entry::*, play::*,
+    answers::*, cohort_sort::*, differences::*, document::*, editing::*, error_card::*, images::*,
+    import::*, interpolated_poses::*, loop_range::*, path_entry::*, play::*,
 };
-pub use {slice_view::*, state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
+pub use {
+    slice_view::*, state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*,
+};
 pub use {visibility::*, visible_poses::*};

@@ -4,6 +4,7 @@ mod chosen;
 mod contoured;
 mod made;
 mod masked;
+mod settings;
 mod studies;
 mod subject;
 #[cfg(test)]
@@ -22,53 +23,8 @@ use crate::progress::{Progress, Stopped};
 use made::made_of;
 use studies::image_studies;
 
+pub use settings::{ImageWallSettings, ImageWalls};
 pub use subject::{prepared_subject, series_facts};
-
-/// How the walls of a batch of images are made.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ImageWallSettings {
-    /// The settings of all studies; `None`: of each those of the road that fits it.
-    pub all: Option<Preparation>,
-    /// Settings of single studies by their ids, in the place of those of all.
-    pub each: BTreeMap<String, Preparation>,
-    /// Single settings that win over those.
-    pub over: Overrides,
-}
-
-impl ImageWallSettings {
-    /// The road that somebody set for all studies.
-    fn road(&self) -> Option<Road> {
-        let set = match (self.over.road, self.over.labels) {
-            (Some(Road::Masks(_)) | None, Some(labels)) => Some(Road::Masks(labels)),
-            (road, _) => road,
-        };
-        set.or(self.all.as_ref().map(|settings| settings.road))
-    }
-
-    /// Whether somebody said by which road a study goes.
-    fn is_set(&self, id: &str) -> bool {
-        self.road().is_some() || self.each.contains_key(id)
-    }
-
-    /// The settings of a study, of which some are proposed.
-    fn of(&self, id: &str, proposed: Preparation) -> Preparation {
-        let set = self.each.get(id).or(self.all.as_ref());
-        self.over.over(set.cloned().unwrap_or(proposed))
-    }
-}
-
-/// Walls of images, and what they were made with.
-#[derive(Clone, Debug, Default)]
-pub struct ImageWalls {
-    /// Subjects, images and what went wrong.
-    pub opened: Opened,
-    /// How the surfaces lie on the tissues that were found, with the subject's id.
-    pub fits: Vec<(String, SurfaceFit)>,
-    /// The settings that each subject was made with, by its id.
-    pub preparations: Vec<(String, Preparation)>,
-    /// What somebody must say of images that gave no walls yet, by the id of the images.
-    pub asked: Vec<(String, Vec<Asked>)>,
-}
 
 /// Makes the walls of all images below paths: outlines of other programs with the images that they were drawn in, masks known by
 /// their names, then all other images, each DICOM study and each file being a study of its own. Where somebody must say more
@@ -94,7 +50,8 @@ pub fn image_walls(
         let part = progress.part("walls from masks", 0.2, 0.5);
         of_masks = masked::add(paths, settings, limits, &part, &mut walls, &mut passed_over)?;
     }
-    let only_masks = matches!(road, Some(Road::Masks(_))) && !walls.opened.study.subjects.is_empty();
+    let only_masks =
+        matches!(road, Some(Road::Masks(_))) && !walls.opened.study.subjects.is_empty();
     if !only_masks {
         let part = progress.part("reading images", 0.5, 0.6);
         let (found, report) = read_images_beside(paths, &passed_over, limits, &part)?;

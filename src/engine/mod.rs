@@ -42,9 +42,7 @@ pub use distance_table::DistanceTable;
 pub use engine::{Engine, ExportError};
 pub use export::{ExportFile, FileBytes, PartialFile, write_files};
 pub use file_names::{file_name, file_names};
-pub use image_walls::{
-    ImageWallSettings, ImageWalls, image_walls, prepared_subject, series_facts,
-};
+pub use image_walls::{ImageWallSettings, ImageWalls, image_walls, prepared_subject, series_facts};
 pub use job::{Ending, Job, JobError, JobWatch, Wake};
 pub use mask_walls::{MaskWallSettings, MaskWalls, mask_walls};
 pub use open::{OpenSource, open};
@@ -53,7 +51,8 @@ pub use private_file::make_private;
 pub use queries::*;
 pub use reading_limits::{configure_limits, reading_limits};
 pub use registered_walls::{
-    RegisterSettings, RegisteredWalls, TemplateError, TemplateSource, read_template, registered_walls,
+    RegisterSettings, RegisteredWalls, TemplateError, TemplateSource, read_template,
+    registered_walls,
 };
 pub use result_folder::{ResultFolder, replace_results};
 pub use stages::Stage;

@@ -151,12 +151,22 @@ pub fn edited(
             }
             VolumeEdit::LargestComponent => {
                 let inside = above(&values).map_err(|_| count)?;
-                keep(&mut values, &inside, &inside.largest_component(), background);
+                keep(
+                    &mut values,
+                    &inside,
+                    &inside.largest_component(),
+                    background,
+                );
             }
             VolumeEdit::ComponentAt(position) => {
                 let inside = above(&values).map_err(|_| count)?;
                 if let Some(voxel) = nearest(&inside, frame, *position) {
-                    keep(&mut values, &inside, &inside.component_at(voxel), background);
+                    keep(
+                        &mut values,
+                        &inside,
+                        &inside.component_at(voxel),
+                        background,
+                    );
                 }
             }
             VolumeEdit::FillHoles => {
@@ -206,7 +216,9 @@ fn keep(values: &mut [f32], inside: &Mask, kept: &Mask, background: f32) {
 
 /// Lifts what is filled above the threshold.
 fn fill(values: &mut [f32], inside: &Mask, filled: &Mask, threshold: f64) {
-    let least = (threshold as f32).next_up().max((threshold + threshold.abs() * 1e-6) as f32);
+    let least = (threshold as f32)
+        .next_up()
+        .max((threshold + threshold.abs() * 1e-6) as f32);
     let places = inside.inside().iter().zip(filled.inside());
     for (value, (&inside, &filled)) in values.iter_mut().zip(places) {
         if filled && !inside {

@@ -1,7 +1,7 @@
 //! What one series of images is, whatever the format: a volume over time, with what its files do not say told as such.
 
-use crate::image::{Image, ImageError, VolumeFrame};
 pub use crate::image::Modality;
+use crate::image::{Image, ImageError, VolumeFrame};
 use crate::study::Notice;
 
 /// The volumes of one series: of one file, or of all DICOM files of a series.

@@ -57,7 +57,11 @@ pub use mask_study::{
 };
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
-pub use open::{FoundImage, FramesRead, ImageReport, OpenListener, PassedOver, SubjectFrames, each_image, looks_like_image, looks_openable, open_paths, open_paths_in_stages, read_frames, read_head, read_image_file, read_images, read_images_beside, read_mesh_file, renew_cohort_notices};
+pub use open::{
+    FoundImage, FramesRead, ImageReport, OpenListener, PassedOver, SubjectFrames, each_image,
+    looks_like_image, looks_openable, open_paths, open_paths_in_stages, read_frames, read_head,
+    read_image_file, read_images, read_images_beside, read_mesh_file, renew_cohort_notices,
+};
 pub use opened::{OpenError, Opened, OpenedImages};
 pub use ply::write_ply;
 pub use vtp::{write_pvd, write_vtp};

@@ -13,6 +13,7 @@ use super::patches::PatchRow;
 use super::segments::SegmentRow;
 use super::table::{TableWords, described};
 use super::verdicts::VerdictRow;
+use super::vertex_curvatures::VertexCurvatureRow;
 use crate::analysis::experiments::{
     ComparisonRow, InterpolationCase, LocalisationRow, MedialNoiseCell, PartnerRow, TransportCase,
 };
@@ -32,6 +33,7 @@ pub fn all_tables() -> Vec<TableWords> {
         described::<SegmentRow>(),
         described::<PatchSegmentRow>(),
         described::<MedialAtomRow>(),
+        described::<VertexCurvatureRow>(),
         described::<NoiseRow>(),
         described::<TransportCase>(),
         described::<InterpolationCase>(),

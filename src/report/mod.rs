@@ -29,6 +29,7 @@ mod table;
 mod testing;
 mod verdict_json;
 mod verdicts;
+mod vertex_curvatures;
 mod wall_json;
 #[cfg(test)]
 mod wall_tests;
@@ -55,4 +56,5 @@ pub use segments::SegmentRow;
 pub use summary::beat_shares_json;
 pub use table::{Row, TableWords, csv, csv_header, csv_rows, named_csv, pretty_json};
 pub use verdicts::VerdictRow;
+pub use vertex_curvatures::VertexCurvatureRow;
 pub use wall_json::{thickening_params_json, unassessed_wall_json, wall_json};

@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod columns;
+mod curvature;
 #[cfg(test)]
 mod figures;
 #[cfg(test)]

@@ -7,6 +7,8 @@ mod cli;
 #[cfg(test)]
 mod clinical_oracles;
 #[cfg(test)]
+mod curvature_oracles;
+#[cfg(test)]
 mod damaged_images;
 #[cfg(test)]
 mod formats;

@@ -78,10 +78,7 @@ fn every_real_study_is_followed_and_its_ejection_fraction_stated() {
         println!("{id}: masks {truth:.3}, without {difference:+.3}");
     }
     println!("{within:?} of [10, 10] within 0.06, in {seconds:.1} s");
-    assert!(
-        within[0] >= 9 && within[1] >= 3,
-        "{within:?}"
-    );
+    assert!(within[0] >= 9 && within[1] >= 3, "{within:?}");
 }
 
 #[test]

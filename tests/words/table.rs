@@ -206,6 +206,11 @@ pub const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("src/cli/info.rs", "notices", "key that scripts read"),
     ("src/cli/image.rs", "notices", "key that scripts read"),
     ("src/cli/mesh.rs", "notices", "key that scripts read"),
+    (
+        "src/cli/register_study.rs",
+        "notices",
+        "key that scripts read",
+    ),
     ("src/cli/args.rs", "in-betweens", "option that scripts use"),
     (
         "src/cli/experiment_args.rs",

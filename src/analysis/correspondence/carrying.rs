@@ -10,8 +10,8 @@ use crate::mesh::{
 };
 use crate::progress::Progress;
 
-use super::quality::turned_faces;
 use super::target_surface::TargetSurface;
+use super::turned_faces::turned_faces;
 use super::{SurfaceLandmarks, TargetError};
 
 /// How stiff each round is: α of the moves u that minimise Σᵢ |uᵢ − dᵢ|² + α Σ |uᵢ − uⱼ|² over neighbours, dᵢ the way to the
@@ -103,7 +103,7 @@ impl Carrier {
         self.project(&mut points, target, &rim);
         for _ in 0..UNFOLDING {
             progress.check()?;
-            if !self.unfold(&mut points, target) {
+            if !self.untangle(&mut points, target) {
                 break;
             }
             self.project(&mut points, target, &rim);
@@ -161,7 +161,7 @@ impl Carrier {
     }
 
     /// Moves vertices of faces that are folded over to the middle of their neighbours; false if there are none.
-    fn unfold(&self, points: &mut [Point3], target: &TargetSurface) -> bool {
+    fn untangle(&self, points: &mut [Point3], target: &TargetSurface) -> bool {
         let turned = turned_faces(points, self.triangles(), target, self.outward);
         let mut touched = vec![false; points.len()];
         for face in &turned {

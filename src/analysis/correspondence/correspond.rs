@@ -8,8 +8,9 @@ use crate::study::{Anatomy, MeshSequence, Notice, SurfaceSequence};
 
 use super::carrying::Carrier;
 use super::subject_landmarks::APEX;
+use super::surface_frames::TargetFrames;
 use super::target_surface::TargetSurface;
-use super::targets::{TargetFrames, Targets};
+use super::targets::Targets;
 use super::template::{Template, TemplateSurface};
 use super::{
     CheckedCorrespondenceParams, CorrespondenceError, FrameFit, SubjectLandmarks, SurfaceLandmarks,

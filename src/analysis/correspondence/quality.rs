@@ -11,6 +11,7 @@ use super::TargetError;
 use super::carrying::{Carrier, size};
 use super::params::CorrespondenceParams;
 use super::target_surface::TargetSurface;
+use super::turned_faces::middle;
 
 /// One surface at one frame against the surface that it stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,34 +97,4 @@ impl FrameFit {
 fn places(points: &[Point3], triangles: &[[u32; 3]]) -> Vec<Point3> {
     let middles = triangles.iter().map(|t| middle(points, t));
     points.iter().copied().chain(middles).collect()
-}
-
-fn middle(points: &[Point3], triangle: &[u32; 3]) -> Point3 {
-    mean_point(triangle.map(|v| points[v as usize]).into_iter())
-}
-
-/// Faces whose normal looks against that of the target beside them; where the target has none, against the mean of their
-/// neighbours'. `outward` is 1 where faces are wound so that normals point out.
-pub(super) fn turned_faces(
-    points: &[Point3],
-    triangles: &[[u32; 3]],
-    target: &TargetSurface,
-    outward: f64,
-) -> Vec<usize> {
-    let own = match target.is_oriented() {
-        true => Vec::new(),
-        false => vertex_normals(points, triangles),
-    };
-    let turned = |face: &usize| {
-        let triangle = &triangles[*face];
-        let [a, b, c] = triangle.map(|v| points[v as usize]);
-        let normal = outward * (b - a).cross(&(c - a));
-        let beside = match target.normal(target.nearest(middle(points, triangle)).face) {
-            Some(normal) => normal,
-            None => outward * triangle.iter().map(|&v| own[v as usize]).sum::<Vector3>(),
-        };
-        normal.dot(&beside) <= 0.0
-    };
-    let faces = (0..triangles.len()).into_par_iter();
-    faces.filter(turned).collect()
 }

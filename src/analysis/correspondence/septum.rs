@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use crate::mesh::Point3;
 
 use super::axis::VentricleAxis;
+use super::surface_frames::TargetFrames;
 use super::target_surface::TargetSurface;
-use super::targets::TargetFrames;
 use super::template::Template;
 
 /// Angles that are tried, all around.

@@ -10,17 +10,9 @@ use crate::study::{Anatomy, Notice, SurfaceKind, SurfaceSequence};
 use super::axis::VentricleAxis;
 use super::cut::Opening;
 use super::septum::best_turn;
+use super::surface_frames::{SurfaceFrames, TargetFrames};
 use super::target_surface::TargetSurface;
 use super::{CorrespondenceError, TargetError, Template};
-
-/// One surface of a subject at all frames; no two of them need have the same faces.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceFrames {
-    /// Which surface it is.
-    pub kind: SurfaceKind,
-    /// Its frames, in order.
-    pub frames: Vec<TriMesh>,
-}
 
 /// What a template is laid onto: one open sheet for each surface and frame.
 #[derive(Clone, Debug)]
@@ -33,13 +25,6 @@ pub struct Targets {
     pub(super) knows_septum: bool,
     /// What was found and assumed.
     pub(super) notices: Vec<Notice>,
-}
-
-#[derive(Clone, Debug)]
-pub(super) struct TargetFrames {
-    /// The surface of the template.
-    pub kind: SurfaceKind,
-    pub frames: Vec<TargetSurface>,
 }
 
 impl Targets {

@@ -6,8 +6,8 @@ use crate::mesh::{Faces, TriMesh};
 use crate::study::{Anatomy, Subject, SurfaceKind};
 
 use super::axis::VentricleAxis;
+use super::surface_frames::SurfaceFrames;
 use super::target_surface::TargetSurface;
-use super::targets::SurfaceFrames;
 use super::{CorrespondenceError, SurfaceLandmarks, TargetError};
 
 /// Endocardium, epicardium or both at one instant, open at the base, with their landmarks.

@@ -1,3 +1,5 @@
+//! A template on hearts whose vertices do not correspond.
+
 mod refused;
 
 use std::sync::Arc;

@@ -74,7 +74,7 @@ fn asked_for(asked: &[Asked]) -> String {
     words.join(", ")
 }
 
-/// An error with "stopped" among its reasons, which is told apart.
+/// An error with "stopped" among its reasons, which is no failure.
 macro_rules! stoppable {
     ($($error:ty => $variant:ident, $stopped:path);+ $(;)?) => {
         $(impl From<$error> for PreparationError {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::Road;
-use super::settings_file::SettingsFile;
 use crate::analysis::walls_from_masks::{WallParams, WallParamsError};
 use crate::analysis::walls_from_spect::{SpectParams, SpectParamsError};
 use crate::image::{Contour, MarkedPoints, VolumeEdit, VolumeEditError};
@@ -14,8 +13,7 @@ use crate::mesh::Point3;
 /// How the walls of one image, or of a batch of images, are made. What the window's document holds and undo restores.
 ///
 /// As JSON or TOML it is a table of names, as `mesh` writes it beside its output; reading one checks its ranges.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "SettingsFile", into = "SettingsFile")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Preparation {
     /// How walls are found.
     pub road: Road,

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::Road;
 use super::settings::{BaseEnd, Preparation, SettingsError, TypedTimes};
@@ -13,7 +14,7 @@ use crate::mesh::Point3;
 /// The table. What is left out is as by default; a name that is not known is an error, so that none is misspelt unseen.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct SettingsFile {
+struct SettingsFile {
     road: RoadName,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     labels: Option<Labels>,
@@ -90,6 +91,19 @@ enum PartName {
 
 fn numbers(point: Point3) -> [f64; 3] {
     [point.x, point.y, point.z]
+}
+
+impl Serialize for Preparation {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        SettingsFile::from(self.clone()).serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Preparation {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let file = SettingsFile::deserialize(deserializer)?;
+        Self::try_from(file).map_err(D::Error::custom)
+    }
 }
 
 impl From<Preparation> for SettingsFile {
@@ -183,7 +197,7 @@ impl TryFrom<SettingsFile> for Preparation {
 
 /// Why a table is not the settings of an import.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(super) enum FileError {
+enum FileError {
     #[error("labels are for the road masks alone")]
     Labels,
     #[error("times_ms and cycle_ms exclude each other")]

@@ -44,7 +44,7 @@ impl SliceBeat {
     ) -> Result<Self, Stopped> {
         let mut found = None;
         let (led_to, first_tones) = (middle, tones);
-        let most_mm = if neighbour.is_some() {
+        let max_mm = if neighbour.is_some() {
             DRIFT_MM
         } else {
             params.max_radius_mm
@@ -80,7 +80,7 @@ impl SliceBeat {
                 break;
             }
             let moved = middle + away - led_to;
-            middle = led_to + moved * (most_mm / moved.norm().max(most_mm));
+            middle = led_to + moved * (max_mm / moved.norm().max(max_mm));
         }
         let (polars, endo, middle) = found.unwrap_or_default();
         Ok(Self {

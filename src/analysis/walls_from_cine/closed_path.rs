@@ -29,7 +29,7 @@ impl Costs {
     ///
     /// Two turns without a bound give the sample where the path passes the first ray in the middle of them; a third turn
     /// begins and ends there. It is the least closed path through that sample.
-    pub(super) fn least_closed(&self, bending: f64) -> Vec<f64> {
+    pub(super) fn min_closed(&self, bending: f64) -> Vec<f64> {
         if self.samples == 0 {
             return vec![0.0; RAYS];
         }
@@ -94,7 +94,7 @@ mod tests {
         let costs = Costs::of(80, |ray| {
             (0..80).map(|n| (n as f64 - valley(ray)).abs()).collect()
         });
-        let path = costs.least_closed(0.0);
+        let path = costs.min_closed(0.0);
         for (ray, radius) in path.iter().enumerate() {
             assert!((radius / STEP_MM - 0.5 - valley(ray)).abs() <= 0.5 + 1e-9);
         }
@@ -109,7 +109,7 @@ mod tests {
                 .map(|n| if n == lure { -1.0 } else { 0.0 })
                 .collect()
         });
-        let path = costs.least_closed(0.05);
+        let path = costs.min_closed(0.05);
         assert!(
             path.iter()
                 .all(|radius| (radius - 20.5 * STEP_MM).abs() < 1e-12),

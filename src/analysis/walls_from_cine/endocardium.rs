@@ -63,7 +63,7 @@ pub(super) fn endocardium(
         };
         blood.iter().take(samples).enumerate().map(cost).collect()
     });
-    costs.least_closed(BENDING)
+    costs.min_closed(BENDING)
 }
 
 /// The mean difference of blood within and beyond an outline, 1 for a perfect edge.

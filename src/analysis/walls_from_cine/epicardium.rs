@@ -56,7 +56,7 @@ pub(super) fn epicardium(
         };
         departures.iter().enumerate().map(cost).collect()
     });
-    let found = costs.least_closed(BENDING);
+    let found = costs.min_closed(BENDING);
     // Where the path could not follow a jump of the endocardium.
     let within = found
         .iter()

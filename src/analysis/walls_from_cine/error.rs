@@ -26,14 +26,14 @@ pub enum CineError {
     },
     /// The long axis runs within the slices rather than across.
     #[error(
-        "the line from apex to base makes {angle_deg:.0}° with the direction across the slices; at most {most_deg:.0}° are \
+        "the line from apex to base makes {angle_deg:.0}° with the direction across the slices; at most {max_deg:.0}° are \
          possible: these are no short-axis slices, or the points are wrong"
     )]
     NotShortAxis {
         /// The angle found.
         angle_deg: f64,
         /// The greatest one.
-        most_deg: f64,
+        max_deg: f64,
     },
     /// No slice between the points.
     #[error("no slice lies between apex and base")]
@@ -59,13 +59,13 @@ pub enum CineError {
     },
     /// Nothing ends the blood.
     #[error(
-        "no edge is found around the marked blood (in {found_percent:.0} % of the directions; {least_percent:.0} % are needed)"
+        "no edge is found around the marked blood (in {found_percent:.0} % of the directions; {min_percent:.0} % are needed)"
     )]
     NoEdge {
         /// Share of the directions with an edge.
         found_percent: f64,
         /// The least share.
-        least_percent: f64,
+        min_percent: f64,
     },
     /// An outline set by hand that has no place.
     #[error("outline {number} that was set by hand (instant {instant}): {reason}")]

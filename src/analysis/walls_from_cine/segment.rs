@@ -25,9 +25,9 @@ pub struct CineSegmentation {
 }
 
 /// A mean edge of the blood below which there is none: half of what noise leaves of a real one.
-const LEAST_EDGE: f64 = 0.3;
+const MIN_EDGE: f64 = 0.3;
 /// A cavity with a smaller mean radius is none, in millimetres: two voxels across.
-const LEAST_RADIUS_MM: f64 = 2.5;
+const MIN_RADIUS_MM: f64 = 2.5;
 /// How far from where the axis leads the middle of the next slice is looked for, in millimetres: breath-holds differ.
 const MIDDLE_WITHIN_MM: f64 = 8.0;
 /// Share of blood that a millimetre away from the axis must gain.
@@ -105,10 +105,10 @@ fn all_slices(
         .map(|(polar, radii)| edge(polar, &first.tones, radii))
         .sum();
     let found = sum / slices.instants() as f64;
-    if found < LEAST_EDGE {
+    if found < MIN_EDGE {
         return Err(CineError::NoEdge {
             found_percent: 100.0 * found.max(0.0),
-            least_percent: 100.0 * LEAST_EDGE,
+            min_percent: 100.0 * MIN_EDGE,
         });
     }
     let mut beats = vec![first];
@@ -199,7 +199,7 @@ fn outlined(
                 if edits.iter().any(is_set) {
                     continue;
                 }
-                if mean_radius(radii) < LEAST_RADIUS_MM {
+                if mean_radius(radii) < MIN_RADIUS_MM {
                     without_cavity += 1;
                     continue;
                 }

@@ -64,7 +64,7 @@ impl<'a> Slices<'a> {
         if angle_deg > MAX_ANGLE_DEG {
             return Err(CineError::NotShortAxis {
                 angle_deg,
-                most_deg: MAX_ANGLE_DEG,
+                max_deg: MAX_ANGLE_DEG,
             });
         }
         let x = steps[0].normalize();

@@ -23,9 +23,9 @@ const NOT_BLOOD: f64 = 0.65;
 /// Length over which a ray stays below that, in millimetres: half a wall.
 const WALL_MM: f64 = 4.0;
 /// Share of the rays that leave the blood.
-const LEAST_RAYS: f64 = 0.6;
-/// Muscle is not brighter than this share of blood, or the two are no longer told apart.
-const MOST_MUSCLE: f64 = 0.75;
+const MIN_RAYS: f64 = 0.6;
+/// Muscle is not brighter than this share of blood, or the two are no longer distinguished.
+const MAX_MUSCLE: f64 = 0.75;
 /// Blood is this many times as bright as in the slice before, at most: fat is brighter.
 const BLOOD_RANGE: f64 = 1.3;
 
@@ -70,10 +70,10 @@ impl Tones {
         let ends: Vec<f64> = rays.filter_map(|ray| first_wall(ray, blood)).collect();
         let found = ends.len() as f64 / (around.len() * RAYS) as f64;
         match quantile(ends, 0.5) {
-            Some(muscle) if found >= LEAST_RAYS => Ok(Self { blood, muscle }),
+            Some(muscle) if found >= MIN_RAYS => Ok(Self { blood, muscle }),
             _ => Err(CineError::NoEdge {
                 found_percent: 100.0 * found,
-                least_percent: 100.0 * LEAST_RAYS,
+                min_percent: 100.0 * MIN_RAYS,
             }),
         }
     }
@@ -96,7 +96,7 @@ impl Tones {
         let blood = quantile(within, 0.5).unwrap_or(self.blood);
         let blood = blood.clamp(self.blood / BLOOD_RANGE, self.blood * BLOOD_RANGE);
         let muscle = quantile(beyond, 0.5).unwrap_or(self.muscle);
-        if muscle > 0.0 && muscle < MOST_MUSCLE * blood {
+        if muscle > 0.0 && muscle < MAX_MUSCLE * blood {
             Self { blood, muscle }
         } else {
             self

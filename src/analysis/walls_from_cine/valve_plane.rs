@@ -8,7 +8,7 @@ use super::tones::quantile;
 /// Share of the directions in which a slice of the ventricle is surrounded by muscle; the outflow tract opens a quarter.
 const SURROUNDED: f64 = 0.5;
 /// Share of the slices, from the base on, that the valve may leave behind: it descends by 10 to 20 mm of 80 to 100.
-const MOST_LEFT: f64 = 0.35;
+const MAX_LEFT: f64 = 0.35;
 
 /// The wall of a ventricle is no thinner than this share of what it is at the first instant; that of the atrium is.
 const THINNED: f64 = 0.85;
@@ -23,7 +23,7 @@ const FILLED: f64 = 0.25;
 /// follows them. Chosen on half of the patients of ACDC: in systole the masks of experts end where one of these holds.
 pub(super) fn slices_below_valve(beats: &[SliceBeat]) -> Vec<usize> {
     let count = beats.len();
-    let least = count - (MOST_LEFT * count as f64).floor() as usize;
+    let least = count - (MAX_LEFT * count as f64).floor() as usize;
     let instants = beats.first().map_or(0, |beat| beat.endo.len());
     let at = |instant: usize| {
         let emptied = beats.iter().map(|slice| area_ratio(slice, instant));

@@ -110,10 +110,10 @@ fn placed(
     corners: &[[f64; 3]],
 ) -> Result<Placed, ContourError> {
     let step_mm = plane_distances_mm(frame)[across];
-    let most_mm = MAX_OFF_MM.min(OFF_SLICE * step_mm);
+    let max_mm = MAX_OFF_MM.min(OFF_SLICE * step_mm);
     let [low, high] = extent(corners, across);
     let off_mm = (high - low) * step_mm;
-    if off_mm > 2.0 * most_mm {
+    if off_mm > 2.0 * max_mm {
         return Err(ContourError::Oblique { which, off_mm });
     }
     let middle = 0.5 * (low + high);
@@ -123,7 +123,7 @@ fn placed(
         return Err(ContourError::Outside(which));
     }
     let off_mm = (middle - slice).abs() * step_mm;
-    if off_mm > most_mm {
+    if off_mm > max_mm {
         return Err(ContourError::BetweenSlices {
             which,
             off_mm,

@@ -54,7 +54,11 @@ impl WallParams {
         if !(MIN_VERTICES..=MAX_VERTICES).contains(&self.vertices) {
             return Err(WallParamsError::Vertices(self.vertices));
         }
-        match self.septum.iter().all(|septum| septum.iter().all(|x| x.is_finite())) {
+        match self
+            .septum
+            .iter()
+            .all(|septum| septum.iter().all(|x| x.is_finite()))
+        {
             true => Ok(CheckedWallParams(self)),
             false => Err(WallParamsError::Septum),
         }

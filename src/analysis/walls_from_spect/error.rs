@@ -3,8 +3,8 @@
 use crate::image::{BlurError, FrameError, ImageError, ResampleError, VolumeEditError};
 use crate::progress::Stopped;
 
-use super::super::walls_from_masks::MaskError;
 use super::find::WALL_MM;
+use crate::analysis::walls_from_masks::MaskError;
 
 /// Why the walls of an image are not found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -45,7 +45,7 @@ pub(super) struct Surroundings {
 ///
 /// # Errors
 /// If it was asked to stop.
-pub(super) fn most_enclosed(
+pub(super) fn max_enclosed(
     sampler: &Sampler<'_>,
     frame: &VolumeFrame,
     greatest: f64,

@@ -40,7 +40,7 @@ pub(super) fn middles(
             let wall = wall_counts.get(instant).copied().unwrap_or(1.0);
             for (ray, &r0) in expected.iter().enumerate() {
                 let around = mean_around(rays, &sheets, instant, ray);
-                let counts = Along {
+                let counts = PathState {
                     profiles: &profiles[instant],
                     ray,
                     wall,
@@ -79,14 +79,14 @@ fn mean_around(rays: &Rays, sheets: &[Sheet], instant: usize, ray: usize) -> f64
 }
 
 /// Counts along one ray.
-struct Along<'a> {
+struct PathState<'a> {
     profiles: &'a Profiles,
     ray: usize,
     wall: f64,
     held: f64,
 }
 
-impl Along<'_> {
+impl PathState<'_> {
     /// The distance with the most of counts and smoothness.
     fn best(&self, around: f64, expected: f64) -> f64 {
         let value = |sample: usize| {

@@ -7,9 +7,8 @@ use crate::study::Notice;
 
 use super::SpectError;
 use super::axis::{Conic, LongAxis};
-use super::find::{Surroundings, most_enclosed, surroundings, wall_towards};
-use super::rays::Rays;
-use super::segment::greatest;
+use super::find::{Surroundings, max_enclosed, surroundings, wall_towards};
+use super::rays::{Rays, greatest};
 
 /// How well a place must be enclosed. Real hearts have 0.25 and more, noise and organs without a cavity 0.1 and less.
 const ENCLOSED: f64 = 0.18;
@@ -44,7 +43,7 @@ pub(super) fn placed(
             surroundings(&sampler, middle, most)
         }
         (None, Some(blood)) => surroundings(&sampler, blood, most),
-        (None, None) => most_enclosed(&sampler, frame, most, progress)?,
+        (None, None) => max_enclosed(&sampler, frame, most, progress)?,
     };
     let score = from.as_ref().map_or(0.0, |found| found.score);
     let found = from.filter(|found| found.score >= ENCLOSED || marked_axis.is_some());

@@ -211,3 +211,11 @@ impl Profiles {
         }
     }
 }
+
+/// The greatest counts, if there are any above 0 and others below them.
+pub(super) fn greatest(values: &[f32]) -> Option<f64> {
+    let finite = values.iter().copied().filter(|value| value.is_finite());
+    let most = finite.clone().fold(f32::MIN, f32::max);
+    let least = finite.fold(f32::MAX, f32::min);
+    (most > 0.0 && most > least).then_some(f64::from(most))
+}

@@ -17,7 +17,7 @@ use super::borders::{borders, median};
 use super::fill::{Surfaces, masks};
 use super::middle::middles;
 use super::place::{Placed, placed};
-use super::rays::{ANGLES, Profiles, Rays, Sheet};
+use super::rays::{ANGLES, Profiles, Rays, Sheet, greatest};
 use super::unturned::unturned;
 use super::{CheckedSpectParams, SpectError, SpectGrid, SpectParams};
 
@@ -46,7 +46,7 @@ const HELD: f64 = 0.12;
 ///    that is a share of its greatest counts.
 /// 2. In the sum over the instants the place is found from which counts rise to a wall in most directions; an axis is fitted
 ///    so that the wall is most nearly a surface of revolution. Marked points are taken instead, as far as they are given.
-/// 3. Along rays from the axis (spherical below, cylindrical above, as in Germano et al. 1995) the middle of the wall is where
+/// 3. PathState rays from the axis (spherical below, cylindrical above, as in Germano et al. 1995) the middle of the wall is where
 ///    counts are greatest, on a surface that is smooth in space and over the beat.
 /// 4. Endocardium and epicardium lie where counts have fallen to a height, the valve where those of the middle of the wall fall.
 ///
@@ -164,14 +164,6 @@ fn forget_erased(values: &mut [f32], frame: &VolumeFrame, edits: &[VolumeEdit]) 
             *value = f32::NAN;
         }
     }
-}
-
-/// The greatest counts, if there are any above 0 and others below them.
-pub(super) fn greatest(values: &[f32]) -> Option<f64> {
-    let finite = values.iter().copied().filter(|value| value.is_finite());
-    let most = finite.clone().fold(f32::MIN, f32::max);
-    let least = finite.fold(f32::MAX, f32::min);
-    (most > 0.0 && most > least).then_some(f64::from(most))
 }
 
 fn sum_over_instants(image: &Image) -> Vec<f32> {

@@ -25,7 +25,7 @@ pub(super) enum Outcome {
     Walls(Box<Subject>, Vec<SurfaceFit>, Box<Preparation>),
     /// Somebody must say more.
     Asked(Vec<Asked>),
-    /// No heart can be expected in the images; why is among their notices.
+    /// No heart can be expected in the images; why is among their notes.
     Unsuitable,
     /// No walls.
     Failed(OpenError),

@@ -63,9 +63,9 @@ fn made_from(series: &ImageSeries, preparation: &Preparation) -> String {
 
 /// What somebody typed because the file does not say it.
 fn typed(preparation: &Preparation) -> Option<String> {
-    let spacing = preparation.spacing_mm.map(|[i, j, k]| {
-        format!("distances between voxels set by the user: {i} × {j} × {k} mm")
-    });
+    let spacing = preparation
+        .spacing_mm
+        .map(|[i, j, k]| format!("distances between voxels set by the user: {i} × {j} × {k} mm"));
     let times = preparation.times.as_ref().map(|times| match times {
         TypedTimes::Cycle(ms) => format!("length of the beat set by the user: {ms} ms"),
         TypedTimes::Each(_) => "times of the volumes set by the user".to_owned(),

@@ -105,7 +105,10 @@ fn what_is_taken_away_lies_below_the_threshold_and_what_is_filled_above() {
             radius_mm: 100.0,
         };
         let gone = edited(&blocks(), &frame(), &[erase], threshold).unwrap();
-        assert!(gone.iter().all(|v| f64::from(*v) < threshold), "{threshold}");
+        assert!(
+            gone.iter().all(|v| f64::from(*v) < threshold),
+            "{threshold}"
+        );
         let mut values = blocks();
         values[2 + 11 * (2 + 5 * 2)] = f32::NAN;
         let filled = edited(&values, &frame(), &[VolumeEdit::FillHoles], threshold).unwrap();
@@ -130,10 +133,19 @@ fn edits_that_say_no_place_are_refused_by_their_number() {
     );
     let centre = point;
     for (radius_mm, error) in [
-        (-1.0, VolumeEditError::Radius { number: 2, radius_mm: -1.0 }),
+        (
+            -1.0,
+            VolumeEditError::Radius {
+                number: 2,
+                radius_mm: -1.0,
+            },
+        ),
         (f64::INFINITY, VolumeEditError::NotFinite { number: 2 }),
     ] {
-        assert_eq!(with(VolumeEdit::SphereEraser { centre, radius_mm }), Err(error));
+        assert_eq!(
+            with(VolumeEdit::SphereEraser { centre, radius_mm }),
+            Err(error)
+        );
     }
     assert_eq!(
         edited(&blocks(), &frame(), &[], f64::NAN),
@@ -141,7 +153,10 @@ fn edits_that_say_no_place_are_refused_by_their_number() {
     );
     assert_eq!(
         edited(&[1.0], &frame(), &[], 0.5),
-        Err(VolumeEditError::Count { values: 1, voxels: 275 })
+        Err(VolumeEditError::Count {
+            values: 1,
+            voxels: 275
+        })
     );
 }
 
@@ -162,7 +177,10 @@ fn an_edit_is_stored_with_plain_numbers() {
     ];
     let text = serde_json::to_string(&edits).unwrap();
     assert!(text.contains(r#"{"sphere_eraser":{"centre":[-1.0,0.5,0.0],"radius_mm":12.5}}"#));
-    assert_eq!(serde_json::from_str::<Vec<VolumeEdit>>(&text).unwrap(), edits);
+    assert_eq!(
+        serde_json::from_str::<Vec<VolumeEdit>>(&text).unwrap(),
+        edits
+    );
 }
 
 proptest! {

@@ -34,7 +34,7 @@ pub fn united_notices(each: &mut [Vec<Notice>]) -> Vec<Notice> {
     once.collect()
 }
 
-/// Of notices that differ in numbers alone, the first: a subject is counted once.
+/// Of notes that differ in numbers alone, the first: a subject is counted once.
 fn first_of_each_kind(list: &[Notice]) -> impl Iterator<Item = &Notice> {
     let kind = |notice: &Notice| (notice.severity, taken_apart(&notice.text).0);
     (list.iter().enumerate())

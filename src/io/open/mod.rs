@@ -52,13 +52,13 @@ use super::{Limits, OpenError, Opened};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{AlignedCohort, Copies, all_of, counted};
 use crate::study::{ExcludedSubject, LabelClasses, Notice, Study, Subject, UnreadSubject};
+pub use find_images::PassedOver;
 use find_sequences::Search;
 use folder_contents::folder_name;
+pub use frames::SubjectFrames;
 use group_files::stem;
 use labels::unite_labels;
-pub use frames::SubjectFrames;
 pub use read_file::{read_head, read_mesh_file};
-pub use find_images::PassedOver;
 pub use read_images::{
     FoundImage, ImageReport, each_image, read_image_file, read_images, read_images_beside,
 };

@@ -86,7 +86,7 @@ fn labels_ui(ui: &mut Ui, current: &Current, labels: MaskLabels, commands: &mut 
             Some(labels.cavity),
         ),
         (
-            "Wall",
+            "Myocardium",
             "The label of the wall of the left ventricle",
             Some(labels.wall),
         ),

@@ -53,6 +53,10 @@ const COLUMNS: &[(&str, &str)] = &[
         "vertex,x,y,z,r,s0x,s0y,s0z,s1x,s1y,s1z,nx,ny,nz,end",
     ),
     (
+        "the file of `curvature --out`",
+        "vertex,gaussian,mean,k1,k2,shape_index,curvedness",
+    ),
+    (
         "noise.csv",
         "method,family,percent,percent_of,object,tau_percent,standard_error,baseline,published",
     ),
@@ -167,6 +171,9 @@ fn files_that_commands_write_have_the_columns_of_the_list() {
         super::text(&atoms),
     ]);
     check_as(&atoms, "the file of `medial --out`");
+    let curvatures = folder.path().join("curvatures.csv");
+    run(&["curvature", &endo, "--out", super::text(&curvatures)]);
+    check_as(&curvatures, "the file of `curvature --out`");
 
     let columns = std::fs::read_to_string(report.join("columns.md")).unwrap();
     for (file, keys) in COLUMNS

@@ -8,7 +8,6 @@ fn the_ejection_fraction_of_a_known_heart_beside_a_liver_is_found() {
         let (study, truth) = study(subject, &Scene::default());
         let found = segmented(&study.image, &[]).unwrap();
         let found = ejection_fraction(&found.masks);
-        println!("subject {subject}: {found:.3}, truth {truth:.3}");
         assert!((found - truth).abs() < 0.04, "{subject}: {found} {truth}");
     }
 }
@@ -31,7 +30,6 @@ fn a_liver_that_outshines_the_heart_is_taken_away_by_a_plane_or_a_sphere() {
     for edit in [sphere, plane] {
         let found = segmented(&study.image, &[edit]).unwrap();
         let found = ejection_fraction(&found.masks);
-        println!("{edit:?}: {found:.3}, truth {truth:.3}");
         assert!((found - truth).abs() < 0.04, "{edit:?}: {found} {truth}");
     }
 }
