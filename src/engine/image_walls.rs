@@ -10,15 +10,13 @@ mod subject;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use crate::analysis::preparation::{Asked, Overrides, Preparation, Road};
-use crate::analysis::walls_from_masks::SurfaceFit;
+use crate::analysis::preparation::Road;
 use crate::engine::mask_walls::{label_classes, study_name};
-use crate::io::{Limits, Opened, PassedOver, read_images_beside};
+use crate::io::{Limits, PassedOver, read_images_beside};
 use crate::progress::{Progress, Stopped};
 use made::made_of;
 use studies::image_studies;

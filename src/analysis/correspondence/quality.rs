@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::analysis::registration::SurfaceFit;
-use crate::mesh::{ClosestPoint, Point3, Vector3, crossing_faces, mean_point, vertex_normals};
+use crate::mesh::{ClosestPoint, Point3, crossing_faces};
 use crate::progress::{Progress, Stopped};
 use crate::study::SurfaceKind;
 
@@ -11,7 +11,7 @@ use super::TargetError;
 use super::carrying::{Carrier, size};
 use super::params::CorrespondenceParams;
 use super::target_surface::TargetSurface;
-use super::turned_faces::middle;
+use super::turned_faces::{middle, turned_faces};
 
 /// One surface at one frame against the surface that it stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::made::{Outcome, made_of};
 use super::studies::{ImageStudy, image_studies};
 use super::*;
-use crate::analysis::preparation::BaseEnd;
+use crate::analysis::preparation::{Asked, BaseEnd, Preparation};
 use crate::image::{Image, VolumeFrame};
 use crate::io::{FoundImage, ImageSeries, Modality, Provenance};
 use crate::mesh::{Point3, Vector3};
