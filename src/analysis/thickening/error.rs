@@ -7,7 +7,7 @@ use crate::progress::Stopped;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ThickeningError {
     /// Thickening is a change.
-    #[error("{frames} poses; thickening needs at least two")]
+    #[error("{frames} {}; thickening needs at least two", if *frames == 1 { "pose" } else { "poses" })]
     TooFewPoses {
         /// Poses that there are.
         frames: usize,

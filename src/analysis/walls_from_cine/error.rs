@@ -59,10 +59,10 @@ pub enum CineError {
     },
     /// Nothing ends the blood.
     #[error(
-        "no edge is found around the marked blood (in {found_percent:.0} % of the directions; {min_percent:.0} % are needed)"
+        "no clear edge is found around the marked blood: its height is {found_percent:.0} % of the difference between blood and muscle, and {min_percent:.0} % are needed"
     )]
     NoEdge {
-        /// Share of the directions with an edge.
+        /// Mean height of the edge, as a share of the difference between blood and muscle.
         found_percent: f64,
         /// The least share.
         min_percent: f64,

@@ -20,7 +20,7 @@ const FILLED: f64 = 0.25;
 ///
 /// From the base on, slices lie above the valve that muscle surrounds in less than half of the directions, whose wall is thinner
 /// than at the first instant, or whose cavity empties less than the others. An instant that differs from both its neighbours
-/// follows them. Chosen on half of the patients of ACDC: in systole the masks of experts end where one of these holds.
+/// follows them. Chosen on patients of ACDC: in systole the masks of experts end where one of these holds.
 pub(super) fn slices_below_valve(beats: &[SliceBeat]) -> Vec<usize> {
     let count = beats.len();
     let least = count - (MAX_LEFT * count as f64).floor() as usize;

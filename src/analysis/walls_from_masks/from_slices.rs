@@ -47,7 +47,7 @@ impl SliceStack {
         let mut notices = Vec::new();
         if septal_rad.is_none() {
             notices.push(Notice::info(
-                "no right ventricle in the masks, and no septum was marked: it is not known, and the first ray points to the left of the slices",
+                "no right ventricle in the masks, and no septum was marked: the septum is not known, and the first ray points to the left of the slices",
             ));
         }
         let reported = reported(&planes, &shifts);

@@ -10,7 +10,7 @@ use super::axis::{Conic, LongAxis};
 use super::find::{Surroundings, max_enclosed, surroundings, wall_towards};
 use super::rays::{Rays, greatest};
 
-/// How well a place must be enclosed. Real hearts have 0.25 and more, noise and organs without a cavity 0.1 and less.
+/// How well a place must be enclosed. The twenty real studies of the tests score 0.3 to 0.65.
 const ENCLOSED: f64 = 0.18;
 /// Rounds of looking from the middle of the wall that was found.
 const ROUNDS: usize = 5;

@@ -13,8 +13,7 @@ use super::SpectError;
 const MIN_PLANES: usize = 8;
 /// Longest step across planes, in pixels: slices that are farther apart are a stack.
 const MAX_PIXELS: f64 = 1.5;
-/// Spread of the middle line over planes as a share of its mean: the line is the same in each. Real turned planes have 0.00,
-/// a stack of slices has 0.2 and more.
+/// Spread of the middle line over planes as a share of its mean: the line is the same in each. Not tuned.
 const SAME_LINE: f64 = 0.05;
 /// Difference of the first plane from the last one seen from behind, as a share of the difference from its own mirror image:
 /// both stand one step of the turn apart. Below 1 wherever a heart is not the same on both sides.

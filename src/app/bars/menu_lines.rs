@@ -101,7 +101,7 @@ mod tests {
                     MenuLine::Separator => 0,
                     MenuLine::Action(_) => 1,
                     MenuLine::Submenu(title, items) => {
-                        assert!((2..=16).contains(&items.len()), "{title}");
+                        assert!((2..=18).contains(&items.len()), "{title}");
                         items.len()
                     }
                 };

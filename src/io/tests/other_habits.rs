@@ -89,6 +89,9 @@ fn strips_in_ply_are_triangles() {
     assert!(error("a.ply", format!("{header}3 0 1 -2\n")).starts_with("line 15: -2 is not"));
 }
 
+/// The corners of the triangle as 36 bytes of numbers, with their count before them.
+const BINARY: &str = "JAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA==";
+
 #[test]
 fn vtp_is_read_with_space_before_its_declaration_and_names_in_any_case() {
     let (text, _) = triangle("a.vtp", "1");
@@ -97,6 +100,9 @@ fn vtp_is_read_with_space_before_its_declaration_and_names_in_any_case() {
         format!("\n  {text}"),
         text.replace("connectivity", "Connectivity")
             .replace("offsets", "OFFSETS"),
+        text.replace("format=\"ascii\"", "format=\"ASCII\""),
+        text.replace("format=\"ascii\"", "format=\"Binary\"")
+            .replace("0 0 0\n1 0 0\n0 1 0\n", BINARY),
     ] {
         assert_eq!(read("a.vtp", &other), expected, "{other}");
     }

@@ -112,11 +112,13 @@ fn the_wheel_steps_through_slices_and_a_double_click_resets_the_window() {
     harness.run_steps(20);
     let next = Command::Images(ImagesCommand::MoveTo(Point3::new(20.0, 20.0, 25.0)));
     assert_eq!(harness.state().commands, [next]);
-    for _ in 0..2 {
-        harness.drag_at(at);
-        harness.step();
-        harness.drop_at(at);
-        harness.step();
+    for pressed in [true, false, true, false] {
+        harness.event(egui::Event::PointerButton {
+            pos: at,
+            button: egui::PointerButton::Primary,
+            pressed,
+            modifiers: egui::Modifiers::NONE,
+        });
     }
     harness.run();
     let reset = Command::Images(ImagesCommand::SetWindow(None));

@@ -47,7 +47,8 @@ fn frames_that_do_not_correspond_are_refused_with_the_way_out_which_then_works()
     loose_frames(loose.path());
     let refused = cardiomorph(&["info", text(loose.path())]);
     assert_eq!(code(&refused), 1);
-    assert!(said(&refused).contains("register"), "{}", said(&refused));
+    let reason = String::from_utf8_lossy(&refused.stdout);
+    assert!(reason.contains("register"), "{reason}");
     let answer = json_of(&cardiomorph(&[
         "register",
         text(loose.path()),
@@ -92,7 +93,7 @@ fn a_study_that_cannot_be_registered_is_refused_with_a_reason() {
             2,
             "--method",
         ),
-        (vec![], 2, "--template"),
+        (vec![], 2, "--method"),
     ] {
         let mut all = vec!["register", text(input.path()), "--out", text(&result)];
         all.extend(&arguments);

@@ -67,7 +67,13 @@ fn pane_alone(
     let gap = space::PANE_GAP;
     let window = [width + 2.0 * gap, above + height + 2.0 * gap + below];
     // Closed one after another in the order of their tabs, each is in front when its turn comes.
-    let toggles = (PANES.iter()).map(|spec| WindowCommand::TogglePane(spec.pane));
+    // Some are closed at first: all are opened, then closed.
+    let toggles = (PANES.iter()).flat_map(|spec| {
+        [
+            WindowCommand::ShowPane(spec.pane),
+            WindowCommand::TogglePane(spec.pane),
+        ]
+    });
     let mut all: Vec<Command> = toggles.map(Command::Window).collect();
     all.push(Command::Window(WindowCommand::ShowPane(pane)));
     all.extend_from_slice(commands);

@@ -30,14 +30,15 @@ fn spect(liver: bool) -> Vec<u8> {
     }
     bytes[70..72].copy_from_slice(&16_i16.to_le_bytes());
     bytes[72..74].copy_from_slice(&32_i16.to_le_bytes());
-    for (place, step) in [1.0_f32, 4.0, 4.0, 4.0].into_iter().enumerate() {
+    for (place, step) in [1.0_f32, 4.0, 4.0, 4.0, 300.0].into_iter().enumerate() {
         bytes[76 + 4 * place..80 + 4 * place].copy_from_slice(&step.to_le_bytes());
     }
     bytes[108..112].copy_from_slice(&352.0_f32.to_le_bytes());
-    bytes[123] = 2;
-    // Positions are known: RAS of the file, so that LPS is 4 mm times the voxel.
+    // Millimetres and milliseconds.
+    bytes[123] = 2 | 16;
+    // Positions are known: RAS of the file, so that LPS is 4 mm times the voxel, and 8 mm higher.
     bytes[254..256].copy_from_slice(&1_i16.to_le_bytes());
-    for (place, step) in [(280, -4.0_f32), (300, -4.0), (320, 4.0)] {
+    for (place, step) in [(280, -4.0_f32), (300, -4.0), (320, 4.0), (324, 8.0)] {
         bytes[place..place + 4].copy_from_slice(&step.to_le_bytes());
     }
     bytes[344..348].copy_from_slice(b"n+1\0");
@@ -156,7 +157,7 @@ fn gated_counts_with_a_liver_walk_through_all_steps_to_a_subject_with_its_ejecti
         harness.run_steps(3);
         if step == ImportStep::Tissue {
             // The liver: 50 mm to the left of the axis, 46 mm behind it.
-            let at = nalgebra::Point3::new(112.0, 108.0, 56.0);
+            let at = nalgebra::Point3::new(112.0, 108.0, 64.0);
             let moved = ImagesCommand::MoveTo(at);
             give(&mut harness, moved.into());
             let radius = ImportCommand::SetEraser(24.0);

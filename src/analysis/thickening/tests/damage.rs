@@ -16,7 +16,7 @@ fn damage_is_refused_with_its_numbers() {
     };
     assert_eq!(
         run(&one).to_string(),
-        "1 poses; thickening needs at least two"
+        "1 pose; thickening needs at least two"
     );
     let mut bad = good.clone();
     bad.frames[2].atoms[7].radius = f64::NAN;
