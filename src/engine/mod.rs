@@ -7,11 +7,11 @@
 
 mod activity;
 mod classifier_file;
+mod distance_table;
 #[expect(
     clippy::module_inception,
     reason = "the room's main type carries the room's name"
 )]
-mod distance_table;
 mod engine;
 mod export;
 #[cfg(test)]

@@ -182,7 +182,7 @@ impl Run {
     fn searched(&self, words: &Words) -> Searched {
         let mut searched = Searched::folder(words, self.folder.path());
         for (command, printed) in &self.printed {
-            searched.note(command, words.within(printed));
+            searched.note(command, &words.within(printed));
         }
         searched
     }

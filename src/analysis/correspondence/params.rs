@@ -32,14 +32,8 @@ impl Default for CorrespondenceParams {
 }
 
 /// Settings that can be used.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CheckedCorrespondenceParams(pub(super) CorrespondenceParams);
-
-impl Default for CheckedCorrespondenceParams {
-    fn default() -> Self {
-        Self(CorrespondenceParams::default())
-    }
-}
 
 impl CorrespondenceParams {
     /// Checks the settings.

@@ -163,8 +163,8 @@ fn solved<const N: usize>(
     for row in 0..N {
         for column in 0..=row {
             let mut rest = matrix[row][column];
-            for k in 0..column {
-                rest -= lower[row][k] * lower[column][k];
+            for (a, b) in lower[row].iter().zip(&lower[column]).take(column) {
+                rest -= a * b;
             }
             if row > column {
                 lower[row][column] = rest / lower[column][column];

@@ -53,7 +53,7 @@ fn road(facts: &ImageFacts) -> (Road, bool, String) {
         let reason = format!("its values are labels ({})", listed.join(", "));
         return (Road::Masks(labels), known, reason);
     }
-    if facts.size.iter().any(|&n| n == 1) {
+    if facts.size.contains(&1) {
         let reason = "one slice is no ventricle".to_owned();
         return (likely(facts), false, reason);
     }

@@ -43,7 +43,7 @@ pub fn segmented(
         Road::Contours if preparation.contours.is_empty() => {
             Err(PreparationError::Asked(vec![Asked::Outlines]))
         }
-        Road::Contours => from_contours(&image, Arc::clone(&preparation.contours), preparation),
+        Road::Contours => from_contours(&image, &preparation.contours, preparation),
         Road::Spect => from_counts(&image, preparation, progress),
         Road::Cine => from_edges(&image, preparation, progress),
     }
@@ -117,7 +117,7 @@ fn from_edges(
     }
     let params = CheckedCineParams::default();
     let found = segment_cine(image, &points, &preparation.contours, &params, progress)?;
-    let mut segmented = from_contours(image, Arc::new(found.contours), preparation)?;
+    let mut segmented = from_contours(image, &found.contours, preparation)?;
     segmented.notices.splice(0..0, found.notices);
     Ok(segmented)
 }
@@ -125,11 +125,11 @@ fn from_edges(
 /// Outlines as they were drawn, and of the epicardium those that follow where it was drawn at few instants.
 fn from_contours(
     image: &Image,
-    contours: Arc<Vec<Contour>>,
+    contours: &[Contour],
     preparation: &Preparation,
 ) -> Result<Segmented, PreparationError> {
     let (frame, instants) = (image.frame(), image.volumes().len());
-    let whole = with_epicardium(frame, instants, &contours)?;
+    let whole = with_epicardium(frame, instants, contours)?;
     let masks = masks_of_contours(frame, instants, &whole.contours)?;
     let mut found = segmented_masks(masks, preparation)?;
     found.contours = Arc::new(whole.contours);

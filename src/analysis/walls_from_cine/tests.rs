@@ -137,12 +137,7 @@ fn slice_of(contour: &Contour) -> usize {
     SLICES - 1 - frame().voxel(contour.points[0]).z.round() as usize
 }
 
-fn outline<'a>(
-    found: &'a CineSegmentation,
-    slice: usize,
-    instant: usize,
-    part: ContourPart,
-) -> &'a Contour {
+fn outline(found: &CineSegmentation, slice: usize, instant: usize, part: ContourPart) -> &Contour {
     let mut all = found.contours.iter();
     all.find(|c| c.instant == instant && c.part == part && slice_of(c) == slice)
         .unwrap()
@@ -341,22 +336,10 @@ fn outlines_set_by_hand_must_lie_in_the_image() {
         .contains("no such instant")
     );
     let points = set.points[..2].to_vec();
-    assert!(
-        reason(Contour {
-            points,
-            ..set.clone()
-        })
-        .contains("corners")
-    );
+    assert!(reason(Contour { points, ..set }).contains("corners"));
     let mut points = set.points.clone();
     points[1].x = f64::NAN;
-    assert!(
-        reason(Contour {
-            points,
-            ..set.clone()
-        })
-        .contains("not numbers")
-    );
+    assert!(reason(Contour { points, ..set }).contains("not numbers"));
     let mut points = set.points.clone();
     points[1] = position(5, middle_mm(5));
     assert!(reason(Contour { points, ..set }).contains("oblique"));

@@ -44,13 +44,13 @@ pub fn masks_of_contours(
     let placing = Placing::of(frame, instants, contours)?;
     let grid = FineGrid::of(frame, &placing)?;
     // Of a beat often two instants are drawn: all others share one empty mask.
-    let empty: Arc<[Tissue]> = grid.painted(std::iter::empty()).into();
+    let empty: Arc<[Tissue]> = grid.painted(&std::iter::empty()).into();
     let masks: Vec<Arc<[Tissue]>> = (0..instants)
         .into_par_iter()
         .map(|instant| {
             let own = placing.contours.iter().filter(|c| c.instant == instant);
             match own.clone().next() {
-                Some(_) => grid.painted(own).into(),
+                Some(_) => grid.painted(&own).into(),
                 None => empty.clone(),
             }
         })
@@ -127,7 +127,7 @@ impl FineGrid {
     }
 
     /// The tissues of one instant.
-    fn painted<'a>(&self, contours: impl Iterator<Item = &'a Placed> + Clone) -> Vec<Tissue> {
+    fn painted<'a>(&self, contours: &(impl Iterator<Item = &'a Placed> + Clone)) -> Vec<Tissue> {
         let mut voxels = vec![Tissue::Other; self.frame.voxel_count()];
         // What comes later lies within or before what came.
         for (part, tissue) in [

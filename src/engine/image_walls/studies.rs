@@ -73,7 +73,7 @@ pub(super) fn image_studies(
                 false => name.clone(),
             };
             studies.push(ImageStudy {
-                id: own_id(name, &mut taken),
+                id: own_id(&name, &mut taken),
                 path: path.clone(),
                 series,
             });
@@ -83,8 +83,8 @@ pub(super) fn image_studies(
 }
 
 /// The name, with a number where another has it.
-fn own_id(name: String, taken: &mut HashSet<String>) -> String {
-    let mut own = name.clone();
+fn own_id(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut own = name.to_owned();
     let mut number = 2;
     while !taken.insert(own.clone()) {
         own = format!("{name} ({number})");

@@ -27,10 +27,10 @@ impl Instants {
             _ => None,
         });
         let first = u32::from(plain.clone().next().is_some() && plain.clone().all(|n| n > 0));
-        let from_zero = frames.filter_map(|frame| match frame {
-            FrameName::FromZero(number) => Some(*number),
-            FrameName::Number(number) => Some(number.saturating_sub(first)),
-            _ => Some(0),
+        let from_zero = frames.map(|frame| match frame {
+            FrameName::FromZero(number) => *number,
+            FrameName::Number(number) => number.saturating_sub(first),
+            _ => 0,
         });
         let numbers = from_zero.collect::<BTreeSet<u32>>();
         Self {

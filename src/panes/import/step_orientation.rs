@@ -14,8 +14,11 @@ use crate::panes::pane_context::PaneContext;
 use crate::ui::style::note;
 use crate::ui::theme::{colours, space};
 
+/// One of the points.
+type PointOf = fn(&MarkedPoints) -> Option<Point3>;
+
 /// The points, with the tools that mark them.
-pub const POINTS: [(ImageTool, fn(&MarkedPoints) -> Option<Point3>); 4] = [
+pub const POINTS: [(ImageTool, PointOf); 4] = [
     (ImageTool::Apex, |points| points.apex),
     (ImageTool::Base, |points| points.base),
     (ImageTool::Septum, |points| points.septum),

@@ -8,7 +8,7 @@ use super::section::section;
 use super::slice::{Mark, Outline};
 use crate::analysis::preparation::Road;
 use crate::document::{ImageTool, ImportStep};
-use crate::image::{Contour, ContourPart, MarkedPoints, VolumeFrame};
+use crate::image::{Contour, ContourPart, VolumeFrame};
 use crate::mesh::TriMesh;
 use crate::panes::import::current::Current;
 use crate::panes::pane_context::PaneContext;
@@ -154,15 +154,11 @@ pub fn marks(cx: &PaneContext<'_>, current: &Current, frame: &VolumeFrame) -> Ve
         return Vec::new();
     }
     let points = &current.settings.points;
-    let named: [(
-        ImageTool,
-        &'static str,
-        fn(&MarkedPoints) -> Option<crate::mesh::Point3>,
-    ); 4] = [
-        (ImageTool::Apex, "apex", |points| points.apex),
-        (ImageTool::Base, "base", |points| points.base),
-        (ImageTool::Septum, "septum", |points| points.septum),
-        (ImageTool::Blood, "blood", |points| points.blood),
+    let named = [
+        (ImageTool::Apex, "apex", points.apex),
+        (ImageTool::Base, "base", points.base),
+        (ImageTool::Septum, "septum", points.septum),
+        (ImageTool::Blood, "blood", points.blood),
     ];
     let shown = step == ImportStep::Orientation;
     named
@@ -170,7 +166,7 @@ pub fn marks(cx: &PaneContext<'_>, current: &Current, frame: &VolumeFrame) -> Ve
         .filter(|(tool, ..)| shown || in_hand == Some(*tool))
         .filter_map(|(_, name, place)| {
             Some(Mark {
-                voxel: frame.voxel(place(points)?),
+                voxel: frame.voxel(place?),
                 name,
             })
         })

@@ -94,7 +94,13 @@ impl Words {
                 } else {
                     wanted.len().saturating_sub(4).min(8)
                 };
-                spread < wanted.len() + gaps && (!numeric || alone)
+                let in_word = |byte: Option<&u8>| {
+                    byte.is_some_and(|byte| byte.is_ascii_alphanumeric() || b"+/".contains(byte))
+                };
+                // A picture in base 64 holds every word of four letters sooner or later.
+                let parted =
+                    wanted.len() > 4 || !(in_word(before.last()) || in_word(after.first()));
+                spread < wanted.len() + gaps && (!numeric || alone) && parted
             });
             if here {
                 found.push(word.clone());
@@ -225,19 +231,19 @@ impl Searched {
         paths.sort();
         for path in paths {
             let name = path.strip_prefix(root).unwrap().to_str().unwrap();
-            self.note(&format!("the name {name}"), words.within(name.as_bytes()));
+            self.note(&format!("the name {name}"), &words.within(name.as_bytes()));
             if path.is_dir() {
                 self.look(words, root, &path);
             } else {
                 let bytes = fs::read(&path).unwrap();
-                self.note(name, words.within(&bytes));
+                self.note(name, &words.within(&bytes));
                 self.files.push(name.to_owned());
                 self.bytes += bytes.len();
             }
         }
     }
 
-    pub fn note(&mut self, place: &str, words: Vec<String>) {
+    pub fn note(&mut self, place: &str, words: &[String]) {
         (self.found).extend(words.iter().map(|word| format!("{place}: {word}")));
     }
 }
@@ -297,6 +303,7 @@ fn words_are_found_however_they_are_written_and_numbers_that_hold_a_date_are_not
         "19310723.5e3",
         "193107230",
         "1931 and 0723",
+        "iVBORw0KGgo077yAAAA",
         "0\u{1}77\u{2}Y",
     ] {
         assert_eq!(

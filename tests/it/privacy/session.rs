@@ -109,14 +109,14 @@ fn searched(path: &Path, exports: bool, words: &Words) -> (Searched, String) {
     let mut memory = Memory::default();
     eframe::App::save(harness.state_mut(), &mut memory);
     let mut searched = Searched::folder(words, folder.path());
-    searched.note("the screen", words.within(shown.as_bytes()));
+    searched.note("the screen", &words.within(shown.as_bytes()));
     searched.note(
         "what is kept",
-        words.within(format!("{:?}", memory.0).as_bytes()),
+        &words.within(format!("{:?}", memory.0).as_bytes()),
     );
     let state = harness.state().state();
     let held = format!("{:?} {:?}", state.document.study(), state.errors);
-    searched.note("the document", words.within(held.as_bytes()));
+    searched.note("the document", &words.within(held.as_bytes()));
     (searched, shown)
 }
 

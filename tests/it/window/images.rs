@@ -1,66 +1,76 @@
 //! Images in the window: slices that cross, the steps of an import, edits that undo takes back, walls in the cohort.
 
+use std::sync::Arc;
+
 use super::*;
+use crate::synthetic_spect;
+use cardiomorph::analysis::measures::measure_subject;
 use cardiomorph::analysis::preparation::Road;
 use cardiomorph::document::{ImageTool, ImportStep};
 use cardiomorph::engine::ImageWallsQuery;
+use cardiomorph::image::Image;
 use cardiomorph::panes::{EditCommand, ImagesCommand, ImportCommand, WindowCommand};
+use cardiomorph::study::Subject;
+use cardiomorph::study::built_in::{BuiltInParams, cohort};
 
-/// Half-axes across and along of endocardium and epicardium at each instant, in millimetres.
-const AXES: [[[f64; 2]; 2]; 3] = [
-    [[24.0, 70.0], [36.0, 82.0]],
-    [[18.0, 62.0], [33.0, 77.0]],
-    [[22.0, 67.0], [35.0, 80.0]],
-];
-
-/// The ejection fraction of half ellipsoids: volumes are as a² c.
-fn true_ef() -> f64 {
-    let volumes = AXES.map(|[[a, c], _]| a * a * c);
-    1.0 - volumes[1] / volumes[0]
+/// A built-in heart, normal.
+fn heart() -> Arc<Subject> {
+    let params = BuiltInParams::default();
+    Arc::clone(&cohort(&params).unwrap().study.subjects[0])
 }
 
-/// A gated SPECT study as a NIfTI-1 file: a bright wall of soft edges in voxels of 4 mm, and a liver beside it.
-fn spect(liver: bool) -> Vec<u8> {
-    let size = [32_u16, 32, 30];
+/// Its gated SPECT study, with or without a liver beside it.
+fn gated(liver: bool) -> synthetic_spect::Study {
+    let mut scene = synthetic_spect::Scene::default();
+    if !liver {
+        scene.liver = 0.0;
+    }
+    synthetic_spect::gated_spect(&heart().sequence, &scene)
+}
+
+/// An image whose axes are those of the patient, as a NIfTI-1 file of an R-R interval of 800 ms.
+fn nifti(image: &Image) -> Vec<u8> {
     let mut bytes = vec![0_u8; 352];
-    bytes[0..4].copy_from_slice(&348_i32.to_le_bytes());
-    let sizes = [4, size[0], size[1], size[2], AXES.len() as u16];
-    for (place, size) in sizes.into_iter().enumerate() {
-        bytes[40 + 2 * place..42 + 2 * place].copy_from_slice(&size.to_le_bytes());
+    let mut put =
+        |place: usize, value: &[u8]| bytes[place..place + value.len()].copy_from_slice(value);
+    let (frame, volumes) = (image.frame(), image.volumes());
+    put(0, &348_i32.to_le_bytes());
+    put(40, &4_i16.to_le_bytes());
+    for (place, size) in frame.size().into_iter().chain([volumes.len()]).enumerate() {
+        put(42 + 2 * place, &(size as i16).to_le_bytes());
     }
-    bytes[70..72].copy_from_slice(&16_i16.to_le_bytes());
-    bytes[72..74].copy_from_slice(&32_i16.to_le_bytes());
-    for (place, step) in [1.0_f32, 4.0, 4.0, 4.0, 300.0].into_iter().enumerate() {
-        bytes[76 + 4 * place..80 + 4 * place].copy_from_slice(&step.to_le_bytes());
+    put(70, &16_i16.to_le_bytes());
+    put(72, &32_i16.to_le_bytes());
+    let [x, y, z] = frame.spacing().map(|step| step as f32);
+    for (place, step) in [1.0, x, y, z, 800.0 / volumes.len() as f32]
+        .into_iter()
+        .enumerate()
+    {
+        put(76 + 4 * place, &step.to_le_bytes());
     }
-    bytes[108..112].copy_from_slice(&352.0_f32.to_le_bytes());
+    put(108, &352.0_f32.to_le_bytes());
     // Millimetres and milliseconds.
-    bytes[123] = 2 | 16;
-    // Positions are known: RAS of the file, so that LPS is 4 mm times the voxel, and 8 mm higher.
-    bytes[254..256].copy_from_slice(&1_i16.to_le_bytes());
-    for (place, step) in [(280, -4.0_f32), (300, -4.0), (320, 4.0), (324, 8.0)] {
-        bytes[place..place + 4].copy_from_slice(&step.to_le_bytes());
+    put(123, &[2 | 16]);
+    put(254, &1_i16.to_le_bytes());
+    // The file counts from right to left and from back to front.
+    let origin = frame.origin();
+    for (place, value) in [
+        (280, -x),
+        (292, -origin.x as f32),
+        (300, -y),
+        (308, -origin.y as f32),
+        (320, z),
+        (324, origin.z as f32),
+    ] {
+        put(place, &value.to_le_bytes());
     }
-    bytes[344..348].copy_from_slice(b"n+1\0");
-    for [endo, epi] in AXES {
-        let [a, c] = [0, 1].map(|n| 0.5 * (endo[n] + epi[n]));
-        let half = 0.5 * (epi[0] - endo[0]) / a;
-        for k in 0..size[2] {
-            for j in 0..size[1] {
-                for i in 0..size[0] {
-                    let [x, y] = [i, j].map(|n| 4.0 * (f64::from(n) - 15.5));
-                    let z = 4.0 * (f64::from(k) - 4.0);
-                    let out = ((x * x + y * y) / (a * a) + z * z / (c * c)).sqrt();
-                    let wall = (-((out - 1.0) / half).powi(2)).exp();
-                    let wall = if z >= 0.0 { 100.5 * wall } else { 0.0 };
-                    let beside = [(x - 50.0) / 12.0, (y - 46.0) / 12.0, (z - 40.0) / 16.0];
-                    let far: f64 = beside.iter().map(|part| part * part).sum();
-                    let liver = if liver { 110.0 * (-far).exp() } else { 0.0 };
-                    bytes.extend(((10.25 + wall + liver) as f32).to_le_bytes());
-                }
-            }
-        }
-    }
+    put(344, b"n+1\0");
+    bytes.extend(
+        volumes
+            .iter()
+            .flat_map(|volume| volume.iter())
+            .flat_map(|value| value.to_le_bytes()),
+    );
     bytes
 }
 
@@ -68,7 +78,7 @@ fn spect(liver: bool) -> Vec<u8> {
 fn image_window(liver: bool) -> (tempfile::TempDir, Harness<'static, App>) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p7.nii");
-    std::fs::write(&path, spect(liver)).unwrap();
+    std::fs::write(&path, nifti(&gated(liver).image)).unwrap();
     let mut harness = window(AppOptions::opening(vec![path]));
     wait_up_to(120, &mut harness, "images", |app| {
         !app.state().document.images().is_empty() && app.state().document.shown_series().is_some()
@@ -152,15 +162,14 @@ fn walls_that_are_being_made_are_stopped_by_cancel_and_made_again() {
 #[test]
 fn gated_counts_with_a_liver_walk_through_all_steps_to_a_subject_with_its_ejection_fraction() {
     let (_folder, mut harness) = image_window(true);
+    let study = gated(true);
     for step in ImportStep::ALL {
         give(&mut harness, ImportCommand::GoTo(step).into());
         harness.run_steps(3);
         if step == ImportStep::Tissue {
-            // The liver: 50 mm to the left of the axis, 46 mm behind it.
-            let at = nalgebra::Point3::new(112.0, 108.0, 64.0);
-            let moved = ImagesCommand::MoveTo(at);
+            let moved = ImagesCommand::MoveTo(study.liver_centre);
             give(&mut harness, moved.into());
-            let radius = ImportCommand::SetEraser(24.0);
+            let radius = ImportCommand::SetEraser(study.liver_radius_mm);
             give(&mut harness, radius.into());
             let tool = ImportCommand::UseTool(Some(ImageTool::Eraser));
             give(&mut harness, tool.into());
@@ -192,10 +201,7 @@ fn gated_counts_with_a_liver_walk_through_all_steps_to_a_subject_with_its_ejecti
     let state = harness.state().state();
     assert_eq!(state.document.study().subjects.len(), 1);
     let ef = state.measures_of(0).unwrap().ef.unwrap();
-    assert!(
-        (ef - true_ef()).abs() <= 0.04,
-        "EF {ef:.3}, truth {:.3}",
-        true_ef()
-    );
+    let truth = measure_subject(&heart()).ef.unwrap();
+    assert!((ef - truth).abs() <= 0.04, "EF {ef:.3}, truth {truth:.3}");
     assert_eq!(state.errors, []);
 }

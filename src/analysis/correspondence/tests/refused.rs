@@ -87,7 +87,7 @@ fn a_template_that_does_not_fit_and_landmarks_that_are_no_numbers_are_refused() 
             .moved(SurfaceKind::Epicardium, 1, 15, Point3::origin())
             .is_none()
     );
-    let mut fewer = landmarks.clone();
+    let mut fewer = landmarks;
     fewer.surfaces.pop();
     let refused = correspond(&template, &targets, &fewer, &params, &progress);
     assert!(matches!(
