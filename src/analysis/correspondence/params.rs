@@ -2,7 +2,7 @@
 
 use super::CorrespondenceError;
 
-/// Settings of [`correspond`](super::correspond). Lengths are shares of a surface's size, so that they hold in any unit: twice
+/// Settings of [`correspond`](super::correspond()). Lengths are shares of a surface's size, so that they hold in any unit: twice
 /// the greatest distance of its vertices from their mean, some 110 mm of a usual endocardium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CorrespondenceParams {

@@ -1,9 +1,9 @@
 //! Preparation of an image: which walls come of it, by all settings of an import in one value?
 //!
-//! Begin with [`Preparation`], what somebody sets, and [`prepared`], what comes of it. In stages: [`stated_image`] gives the
-//! image the distances and times that were typed, [`segmented`] finds the tissues, [`walls`] makes the surfaces.
-//! [`preview`] shows at once what a threshold and edits leave. [`facts`] says what is known of an image, [`proposed`] which
-//! road fits it, and [`asked`] what somebody must say before it gives walls.
+//! Begin with [`Preparation`], what somebody sets, and [`prepared()`], what comes of it. In stages: [`stated_image()`] gives the
+//! image the distances and times that were typed, [`segmented()`] finds the tissues, [`walls()`] makes the surfaces.
+//! [`preview()`] shows at once what a threshold and edits leave. [`facts()`] says what is known of an image, [`proposed()`] which
+//! road fits it, and [`asked()`] what somebody must say before it gives walls.
 
 mod asked;
 mod error;

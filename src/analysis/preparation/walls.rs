@@ -24,7 +24,7 @@ pub struct Prepared {
     pub notices: Vec<Notice>,
 }
 
-/// The walls of an image by the settings: [`segmented`], then [`walls`].
+/// The walls of an image by the settings: [`segmented()`](super::segmented()), then [`walls()`].
 ///
 /// # Errors
 /// If the settings are out of range, somebody must say more, the road finds no ventricle, or it is stopped.
