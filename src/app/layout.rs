@@ -212,7 +212,7 @@ mod tests {
         let mut saved: serde_json::Value =
             serde_json::from_str(&layout.to_saved().unwrap()).unwrap();
         // A set: its order differs from run to run.
-        let closed = saved["invisible"].as_array_mut().unwrap();
+        let closed = saved["tiles"]["invisible"].as_array_mut().unwrap();
         closed.sort_by_key(serde_json::Value::as_u64);
         saved
     }

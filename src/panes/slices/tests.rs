@@ -49,6 +49,7 @@ fn slice() -> Harness<'static, Slice> {
     let series = series_of([20, 20, 10], |[i, _, _]| i as f32);
     Harness::builder()
         .with_size([208.0, 208.0])
+        .with_step_dt(1.0 / 30.0)
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
         .build_ui_state(
             move |ui, state: &mut Slice| {
