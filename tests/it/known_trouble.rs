@@ -83,7 +83,7 @@ const REPORTS: [Report; 32] = [
         "repeated positions are instants: 25 volumes of 4 slices are not 100 slices",
         &[(HERE, &["a_hundred_images_at_four_places_are_25_volumes"])]),
     report(13, &["fedorov/MultiVolumeImporter#49", "#29", "#19"],
-        "instants are told apart by trigger time, percent of the beat or clock, whichever is said",
+        "instants are distinguished by trigger time, percent of the beat or clock, whichever is said",
         &[(TIMES, &["repeated_positions_are_instants_ordered_by_time_within_each_slice",
                     "instants_come_from_percents_indices_clocks_or_numbers_where_they_must"]),
           (STACKS, &["phases_in_series_of_their_own_are_one_series_where_their_times_are_said"])]),

@@ -54,7 +54,7 @@ impl Cases {
         }
     }
 
-    /// The same cases told apart as normal or not; `None` where no label says it.
+    /// The same cases classified as normal or not; `None` where no label says it.
     fn normal_or_not(&self) -> Option<Self> {
         let normal = |class: &String| class == "NOR" || class == "normal";
         let words = |class| if normal(class) { "normal" } else { "abnormal" };
